@@ -1,0 +1,105 @@
+//! Curvature of curves: signed in the plane, not negative in space.
+//!
+//! ```text
+//! κ = C' × C'' / |C'|³        (in space |C' × C''|)          [Miura] (2)
+//! ```
+
+use crate::build::parameters::length;
+use crate::coeff::Coeff;
+use crate::error::{Error, Result};
+use crate::ops::product::{cross2, cross3};
+use crate::scalar::Real;
+use crate::spline::{Curve, Spline};
+use nalgebra::SVector;
+
+/// Points whose curves have a curvature: those of the plane and of space.
+pub trait Curved<T: Real>: Coeff<T> {
+    /// The curvature of a curve with these first and second derivatives, if the first does not vanish.
+    fn curvature(first: &Self, second: &Self) -> Option<T>;
+}
+
+impl<T: Real> Curved<T> for SVector<T, 2> {
+    fn curvature(first: &Self, second: &Self) -> Option<T> {
+        let (tangent, speed) = unit(first)?;
+        Some(cross2(&tangent, second) / &speed / speed)
+    }
+}
+
+impl<T: Real> Curved<T> for SVector<T, 3> {
+    fn curvature(first: &Self, second: &Self) -> Option<T> {
+        let (tangent, speed) = unit(first)?;
+        Some(length(&cross3(&tangent, second)) / &speed / speed)
+    }
+}
+
+/// Direction and length of a vector that has a direction.
+fn unit<T: Real, const N: usize>(vector: &SVector<T, N>) -> Option<(SVector<T, N>, T)> {
+    let size = length(vector);
+    (!size.is_zero()).then(|| (vector.scaled(&(T::one() / &size)), size))
+}
+
+impl<T: Real, C: Curved<T>> Spline<T, C> {
+    /// The curvature at `x`, from the right.
+    ///
+    /// Signed in the plane (positive where the curve turns left), not negative in space.
+    ///
+    /// # Errors
+    /// [`Error::OutsideDomain`]; [`Error::Stationary`] where the derivative vanishes.
+    ///
+    /// # Examples
+    /// ```
+    /// use nalgebra::vector;
+    /// use symspline::{Curve, SplineSpace};
+    /// let points = vec![vector![-1.0, 1.0], vector![0.0, -1.0], vector![1.0, 1.0]];
+    /// let parabola = Curve::new(SplineSpace::bezier(2, -1.0, 1.0)?, points)?; // y = x²
+    /// assert_eq!(parabola.curvature_at(&0.0)?, 2.0);
+    /// assert_eq!(parabola.reversed()?.curvature_at(&0.0)?, -2.0);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    pub fn curvature_at(&self, x: &T) -> Result<T> {
+        let derivatives = self.derivatives_at(x, 2)?;
+        let curvature = C::curvature(&derivatives[1], &derivatives[2]);
+        curvature.ok_or_else(|| Error::Stationary { parameter: x.to_string() })
+    }
+
+    /// The curvatures at `parameters`.
+    ///
+    /// # Errors
+    /// As [`curvature_at`](Self::curvature_at).
+    pub fn curvature_profile(&self, parameters: &[T]) -> Result<Vec<T>> {
+        parameters.iter().map(|x| self.curvature_at(x)).collect()
+    }
+}
+
+impl<T: Real, const N: usize> Curve<T, N> {
+    /// The curvature comb: at each parameter the point of the curve and the tip of its tooth, which stands
+    /// `scale * |κ|` off on the outer side.
+    ///
+    /// # Errors
+    /// As [`curvature_at`](Spline::curvature_at).
+    ///
+    /// # Examples
+    /// ```
+    /// use nalgebra::vector;
+    /// use symspline::{Curve, SplineSpace};
+    /// let points = vec![vector![-1.0, 1.0], vector![0.0, -1.0], vector![1.0, 1.0]];
+    /// let parabola = Curve::new(SplineSpace::bezier(2, -1.0, 1.0)?, points)?;
+    /// assert_eq!(parabola.curvature_comb(&[0.0], &0.5)?, [(vector![0.0, 0.0], vector![0.0, -1.0])]);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    pub fn curvature_comb(&self, parameters: &[T], scale: &T) -> Result<Vec<(SVector<T, N>, SVector<T, N>)>> {
+        let tooth = |x: &T| {
+            let derivatives = self.derivatives_at(x, 2)?;
+            let (tangent, speed) =
+                unit(&derivatives[1]).ok_or_else(|| Error::Stationary { parameter: x.to_string() })?;
+            // The part of C'' across the tangent, over the squared speed, points inwards with length κ.
+            let along = T::dot(tangent.iter().zip(derivatives[2].iter()));
+            let mut across = derivatives[2].clone();
+            across.add_scaled(&-along, &tangent);
+            let mut tip = derivatives[0].clone();
+            tip.add_scaled(&-(scale.clone() / &speed / speed), &across);
+            Ok((derivatives[0].clone(), tip))
+        };
+        parameters.iter().map(tooth).collect()
+    }
+}

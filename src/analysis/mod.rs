@@ -1,0 +1,3 @@
+//! What a curve is like: so far its curvature.
+
+pub mod curvature;

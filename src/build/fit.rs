@@ -1,0 +1,156 @@
+//! Interpolation and least squares: banded solves, linear in the number of points.
+//!
+//! Whether the data determine the spline is decided before anything is solved: every coefficient needs a parameter of
+//! its own, in order, at which its basis function does not vanish (Schoenberg and Whitney; [deBoor] XIII). Least
+//! squares solve the normal equations `Σ_k N_i(x_k) (f(x_k) - d_k) = 0`, which over `Q` is exact.
+
+use crate::coeff::Coeff;
+use crate::error::{Error, Result};
+use crate::functional::Functional;
+use crate::linalg::BandedSystem;
+use crate::scalar::Scalar;
+use crate::space::SplineSpace;
+use crate::spline::Spline;
+
+/// What least squares do with the first and last point.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ends {
+    /// They count like the others.
+    Free,
+    /// The spline starts at the first and ends at the last point exactly.
+    Held,
+}
+
+impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
+    /// The spline of `space` with the values `data` at `parameters`, of which there are as many as coefficients.
+    ///
+    /// # Errors
+    /// [`Error::CoefficientCount`]; [`Error::NotFinite`]; [`Error::OutsideDomain`];
+    /// [`Error::ParametersDecrease`] unless parameters are in order; [`Error::Undetermined`] if a coefficient has no
+    /// parameter of its own; [`Error::Singular`] for a periodic space in which the data leave a freedom all the same.
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::{Function, interpolation_space};
+    /// let parameters = [0.0, 1.0, 2.0, 4.0];
+    /// let f = Function::interpolating(&interpolation_space(3, &parameters)?, &parameters, &[0.0, 1.0, 8.0, 64.0])?;
+    /// assert!((f.at(&3.0)? - 27.0).abs() < 1e-13);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    pub fn interpolating(space: &SplineSpace<T>, parameters: &[T], data: &[C]) -> Result<Self> {
+        check_data(space, parameters, data)?;
+        if parameters.len() != space.dim() {
+            return Err(Error::CoefficientCount { expected: space.dim(), found: parameters.len() });
+        }
+        let rows = rows(space, parameters)?;
+        let mut system = BandedSystem::new(space.dim(), border(space));
+        for (row, value) in rows.iter().zip(data) {
+            system.push(row.first(), row.weights(), value.clone());
+        }
+        Spline::new(space.clone(), system.solve()?)
+    }
+
+    /// The spline of `space` with the least sum of squared distances to `data` at `parameters`.
+    ///
+    /// # Errors
+    /// As [`interpolating`](Self::interpolating), but there may be more data than coefficients.
+    /// [`Error::NotClamped`] if ends are to be held in a space that is not clamped.
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::{Ends, Function, SplineSpace};
+    /// let line = SplineSpace::bezier(1, 0.0, 2.0)?;
+    /// let fit = Function::least_squares(&line, &[0.0, 1.0, 2.0], &[0.0, 3.0, 0.0], Ends::Free)?;
+    /// assert!(fit.coeffs().iter().all(|c| (c - 1.0).abs() < 1e-14));
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    pub fn least_squares(space: &SplineSpace<T>, parameters: &[T], data: &[C], ends: Ends) -> Result<Self> {
+        check_data(space, parameters, data)?;
+        if ends == Ends::Held && !space.is_clamped() {
+            return Err(Error::NotClamped);
+        }
+        let (p, dim) = (space.degree(), space.dim());
+        let rows = rows(space, parameters)?;
+        // Normal equation i has weights on the unrolled coefficients i - p ..= i + p, stored from i - p.
+        let mut normal = vec![vec![T::zero(); 2 * p + 1]; dim];
+        let mut right: Vec<C> = vec![data[0].zero_like(); dim];
+        for (row, value) in rows.iter().zip(data) {
+            for (k, w) in row.weights().iter().enumerate() {
+                let i = space.slot(row.first() + k);
+                right[i].add_scaled(w, value);
+                for (l, v) in row.weights().iter().enumerate() {
+                    normal[i][p + l - k] += w.clone() * v;
+                }
+            }
+        }
+        let mut system = BandedSystem::new(dim, border(space));
+        for (i, (weights, value)) in normal.iter().zip(right).enumerate() {
+            match (ends, i) {
+                (Ends::Held, 0) => system.push(0, &[T::one()], data[0].clone()),
+                (Ends::Held, i) if i + 1 == dim => system.push(i, &[T::one()], data[data.len() - 1].clone()),
+                // An open space has no coefficients before the first or after the last: those weights are zero.
+                _ if !space.is_periodic() => {
+                    let (skip, take) = (p.saturating_sub(i), (dim + p - i).min(2 * p + 1));
+                    system.push(i + skip - p, &weights[skip..take], value);
+                }
+                _ => system.push(i + p.div_ceil(dim) * dim - p, weights, value),
+            }
+        }
+        Spline::new(space.clone(), system.solve()?)
+    }
+
+    /// The largest squared distance of the spline from `data` at `parameters`.
+    ///
+    /// # Errors
+    /// [`Error::OutsideDomain`]; [`Error::CoefficientCount`] if the counts differ.
+    pub fn largest_squared_residual(&self, parameters: &[T], data: &[C]) -> Result<T> {
+        if parameters.len() != data.len() {
+            return Err(Error::CoefficientCount { expected: parameters.len(), found: data.len() });
+        }
+        let values = self.eval(parameters)?;
+        let squared = |(value, datum): (&C, &C)| {
+            let residual = value.minus(datum);
+            T::dot(residual.components().zip(residual.components()))
+        };
+        let largest = values.iter().zip(data).map(squared).reduce(|s, t| if s < t { t } else { s });
+        Ok(largest.unwrap_or_else(T::zero))
+    }
+}
+
+/// Counts, finite values, parameters in order.
+fn check_data<T: Scalar, C: Coeff<T>>(space: &SplineSpace<T>, parameters: &[T], data: &[C]) -> Result<()> {
+    if parameters.len() != data.len() {
+        return Err(Error::CoefficientCount { expected: parameters.len(), found: data.len() });
+    }
+    if data.is_empty() || parameters.len() < space.dim() {
+        return Err(Error::TooFewPoints { expected: space.dim(), found: data.len() });
+    }
+    if let Some(index) = data.iter().position(|value| !value.is_finite()) {
+        return Err(Error::NotFinite { what: "point", index });
+    }
+    match parameters.windows(2).position(|pair| !(pair[0] <= pair[1])) {
+        Some(before) => Err(Error::ParametersDecrease { index: before + 1 }),
+        None => Ok(()),
+    }
+}
+
+/// The value functionals at the parameters, if they determine the spline.
+fn rows<T: Scalar>(space: &SplineSpace<T>, parameters: &[T]) -> Result<Vec<Functional<T>>> {
+    let rows: Vec<Functional<T>> = parameters.iter().map(|x| space.basis(x)).collect::<Result<_>>()?;
+    if space.is_periodic() {
+        return Ok(rows);
+    }
+    let mut remaining = rows.iter();
+    let weighs = |row: &Functional<T>, i: usize| {
+        i.checked_sub(row.first()).and_then(|k| row.weights().get(k)).is_some_and(|w| !w.is_zero())
+    };
+    match (0..space.dim()).find(|&i| !remaining.any(|row| weighs(row, i))) {
+        Some(index) => Err(Error::Undetermined { index }),
+        None => Ok(rows),
+    }
+}
+
+/// How many columns of a collocation matrix go to the border.
+fn border<T: Scalar>(space: &SplineSpace<T>) -> usize {
+    if space.is_periodic() { space.degree().min(space.dim()) } else { 0 }
+}

@@ -1,0 +1,4 @@
+//! Splines from data.
+
+pub mod parameters;
+pub mod fit;

@@ -1,0 +1,152 @@
+//! What a spline may have as coefficients: vectors over the field of its knots.
+
+use crate::error::Result;
+use crate::scalar::Scalar;
+use nalgebra::SVector;
+
+/// A vector over `T`: scalars themselves, points, or rows of either.
+///
+/// Operators of the library never look inside a coefficient; they form sums of weighted coefficients. So whatever
+/// has a zero and can take a scaled other rides through every one of them.
+///
+/// # Examples
+/// ```
+/// use nalgebra::vector;
+/// use symspline::Coeff;
+/// let (w, points) = ([0.25, 0.75], [vector![0.0, 4.0], vector![8.0, 0.0]]);
+/// assert_eq!(Coeff::combine(w.iter().zip(&points)), Some(vector![6.0, 1.0]));
+/// ```
+pub trait Coeff<T: Scalar>: Clone + PartialEq + std::fmt::Debug + Send + Sync + 'static {
+    /// The same kind of vector over another field.
+    type Over<U: Scalar>: Coeff<U>;
+
+    /// The zero of the shape of `self`.
+    fn zero_like(&self) -> Self;
+
+    /// Adds `weight * other`.
+    fn add_scaled(&mut self, weight: &T, other: &Self);
+
+    /// Multiplies by `weight`.
+    fn scale(&mut self, weight: &T);
+
+    /// The scalars it is made of.
+    fn components(&self) -> impl Iterator<Item = &T>;
+
+    /// The same vector with every scalar replaced.
+    ///
+    /// # Errors
+    /// The first error of `f`.
+    fn try_map<U: Scalar>(&self, f: impl FnMut(&T) -> Result<U>) -> Result<Self::Over<U>>;
+
+    /// The sum `Σ w c`, or nothing if there are no terms to take the shape from.
+    ///
+    /// Over an exact field a row is put over one denominator by [`Scalar::dot`] where the shape allows.
+    fn combine<'a>(mut terms: impl Iterator<Item = (&'a T, &'a Self)> + Clone) -> Option<Self> {
+        let (weight, first) = terms.next()?;
+        let mut sum = first.clone();
+        sum.scale(weight);
+        terms.for_each(|(w, c)| sum.add_scaled(w, c));
+        Some(sum)
+    }
+
+    /// The difference `self - other`.
+    fn minus(&self, other: &Self) -> Self {
+        let mut difference = self.clone();
+        difference.add_scaled(&-T::one(), other);
+        difference
+    }
+
+    /// The multiple `weight * self`.
+    fn scaled(&self, weight: &T) -> Self {
+        let mut multiple = self.clone();
+        multiple.scale(weight);
+        multiple
+    }
+
+    /// Whether every component is a finite number.
+    fn is_finite(&self) -> bool {
+        self.components().all(Scalar::is_finite)
+    }
+
+    /// Whether every component is zero.
+    fn is_zero(&self) -> bool {
+        self.components().all(T::is_zero)
+    }
+}
+
+impl<T: Scalar> Coeff<T> for T {
+    type Over<U: Scalar> = U;
+
+    #[inline]
+    fn zero_like(&self) -> Self {
+        T::zero()
+    }
+
+    #[inline]
+    fn add_scaled(&mut self, weight: &T, other: &Self) {
+        *self += weight.clone() * other;
+    }
+
+    #[inline]
+    fn scale(&mut self, weight: &T) {
+        *self *= weight;
+    }
+
+    fn components(&self) -> impl Iterator<Item = &T> {
+        std::iter::once(self)
+    }
+
+    fn try_map<U: Scalar>(&self, mut f: impl FnMut(&T) -> Result<U>) -> Result<U> {
+        f(self)
+    }
+
+    #[inline]
+    fn combine<'a>(terms: impl Iterator<Item = (&'a T, &'a Self)> + Clone) -> Option<Self> {
+        Some(T::dot(terms))
+    }
+}
+
+impl<T: Scalar, const N: usize> Coeff<T> for SVector<T, N> {
+    type Over<U: Scalar> = SVector<U, N>;
+
+    #[inline]
+    fn zero_like(&self) -> Self {
+        Self::zeros()
+    }
+
+    #[inline]
+    fn add_scaled(&mut self, weight: &T, other: &Self) {
+        for i in 0..N {
+            self[i] += weight.clone() * &other[i];
+        }
+    }
+
+    #[inline]
+    fn scale(&mut self, weight: &T) {
+        for i in 0..N {
+            self[i] *= weight;
+        }
+    }
+
+    fn components(&self) -> impl Iterator<Item = &T> {
+        self.iter()
+    }
+
+    fn try_map<U: Scalar>(&self, mut f: impl FnMut(&T) -> Result<U>) -> Result<SVector<U, N>> {
+        let mut mapped = SVector::<U, N>::zeros();
+        for (to, from) in mapped.iter_mut().zip(self.iter()) {
+            *to = f(from)?;
+        }
+        Ok(mapped)
+    }
+
+    #[inline]
+    fn combine<'a>(terms: impl Iterator<Item = (&'a T, &'a Self)> + Clone) -> Option<Self> {
+        if T::EXACT {
+            return Some(Self::from_fn(|i, _| T::dot(terms.clone().map(|(w, c)| (w, &c[i])))));
+        }
+        let mut sum = Self::zeros();
+        terms.for_each(|(w, c)| sum.add_scaled(w, c));
+        Some(sum)
+    }
+}

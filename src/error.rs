@@ -1,0 +1,219 @@
+//! What can go wrong, as one enum with data.
+
+/// The result of an operation that can fail.
+pub type Result<T> = std::result::Result<T, Error>;
+
+/// Why an operation refused. Values of a field stand as text, so that one enum serves every field.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// A value is NaN or infinite.
+    #[error("{what} {index} is not a finite number")]
+    NotFinite {
+        /// What kind of value: "knot", "coefficient", "parameter", ...
+        what: &'static str,
+        /// Its place in the input.
+        index: usize,
+    },
+    /// A knot is smaller than the one before it.
+    #[error("knot {index} is smaller than the knot before it")]
+    KnotsDecrease {
+        /// The index of the smaller knot.
+        index: usize,
+    },
+    /// Not enough knots for the degree.
+    #[error("{expected} knots are needed, {found} are given")]
+    TooFewKnots {
+        /// How many it takes.
+        expected: usize,
+        /// How many there are.
+        found: usize,
+    },
+    /// The domain has no length, or a knot lies beyond it.
+    #[error("the domain from {start} to {end} is empty or does not hold all knots")]
+    EmptyDomain {
+        /// Start of the domain.
+        start: String,
+        /// End of the domain.
+        end: String,
+    },
+    /// A knot has more copies than degree + 1.
+    #[error("knot {knot} has {multiplicity} copies, at most {limit} make sense")]
+    Multiplicity {
+        /// The knot.
+        knot: String,
+        /// How many copies it has.
+        multiplicity: usize,
+        /// How many it may have.
+        limit: usize,
+    },
+    /// A coefficient has no influence on the domain.
+    #[error("coefficient {index} has no influence on the domain")]
+    UnusedCoefficient {
+        /// Its index.
+        index: usize,
+    },
+    /// A degree (or order) beyond what is sane.
+    #[error("degree {degree} is above the limit {limit}")]
+    DegreeTooHigh {
+        /// The degree asked for.
+        degree: usize,
+        /// The highest allowed.
+        limit: usize,
+    },
+    /// The degree of a space is too low for what it should hold.
+    #[error("degree {degree} is too low, {needed} is needed")]
+    DegreeTooLow {
+        /// The degree given.
+        degree: usize,
+        /// The degree needed.
+        needed: usize,
+    },
+    /// A size beyond what is sane.
+    #[error("{count} coefficients are more than the limit {limit}")]
+    TooLarge {
+        /// The number asked for.
+        count: usize,
+        /// The largest allowed.
+        limit: usize,
+    },
+    /// A parameter is outside the domain, or not a number.
+    #[error("parameter {parameter} is outside the domain [{start}, {end}]")]
+    OutsideDomain {
+        /// The parameter.
+        parameter: String,
+        /// Start of the domain.
+        start: String,
+        /// End of the domain.
+        end: String,
+    },
+    /// Two splines that should have the same domain do not.
+    #[error("the domains {left} and {right} differ")]
+    DomainMismatch {
+        /// The one domain.
+        left: String,
+        /// The other.
+        right: String,
+    },
+    /// An index is not that of a non-empty span of the domain.
+    #[error("{span} is not the index of a non-empty span of the domain")]
+    EmptySpan {
+        /// The index given.
+        span: usize,
+    },
+    /// The number of coefficients, points or arguments is wrong.
+    #[error("{expected} values are needed, {found} are given")]
+    CoefficientCount {
+        /// How many it takes.
+        expected: usize,
+        /// How many there are.
+        found: usize,
+    },
+    /// An index is out of range.
+    #[error("index {index} is out of range for {length} values")]
+    IndexOutOfRange {
+        /// The index.
+        index: usize,
+        /// The number of values.
+        length: usize,
+    },
+    /// A space is too smooth at a knot to hold another.
+    #[error("the target has {multiplicity} copies of knot {knot}, {needed} are needed")]
+    TooSmooth {
+        /// The knot.
+        knot: String,
+        /// How many copies the target has.
+        multiplicity: usize,
+        /// How many it takes.
+        needed: usize,
+    },
+    /// A periodic space cannot hold an open one.
+    #[error("a spline with open ends does not fit a periodic space")]
+    NotPeriodic,
+    /// A spline jumps where it should be continuous.
+    #[error("the spline may jump at knot {knot}")]
+    Discontinuous {
+        /// The knot of multiplicity degree + 1.
+        knot: String,
+    },
+    /// A periodic antiderivative needs the integral over the period to vanish.
+    #[error("the integral over the period is {integral}, not zero: no periodic antiderivative")]
+    NonZeroMean {
+        /// The integral over one period.
+        integral: String,
+    },
+    /// A tolerance is negative, NaN or infinite.
+    #[error("{tolerance} is no tolerance")]
+    BadTolerance {
+        /// The tolerance given.
+        tolerance: String,
+    },
+    /// Not enough points.
+    #[error("{expected} points are needed, {found} are given")]
+    TooFewPoints {
+        /// How many it takes.
+        expected: usize,
+        /// How many there are.
+        found: usize,
+    },
+    /// A parameter is smaller than the one before it, or not a number.
+    #[error("parameter {index} is not at or after the one before it")]
+    ParametersDecrease {
+        /// The index of the parameter.
+        index: usize,
+    },
+    /// The ends of a space must be clamped for what was asked.
+    #[error("the ends are not clamped")]
+    NotClamped,
+    /// Two ends that should meet do not.
+    #[error("the ends do not meet: {left} and {right}")]
+    EndsDoNotMeet {
+        /// Where the one ends.
+        left: String,
+        /// Where the other starts.
+        right: String,
+    },
+    /// The data do not determine a coefficient (the Schoenberg-Whitney condition fails there).
+    #[error("the data do not determine coefficient {index}")]
+    Undetermined {
+        /// The first coefficient without a parameter of its own inside its support.
+        index: usize,
+    },
+    /// A linear system has no unique solution.
+    #[error("the system is singular at row {row}")]
+    Singular {
+        /// The row where elimination found no pivot.
+        row: usize,
+    },
+    /// A curve stands still, so that it has no direction or curvature there.
+    #[error("the derivative vanishes at parameter {parameter}")]
+    Stationary {
+        /// The parameter.
+        parameter: String,
+    },
+    /// Held ends cannot be reached by a similarity, because one of the chords has no length.
+    #[error("the ends coincide, no rotation and scaling holds them; use a method for closed curves")]
+    NoChord,
+    /// A text is not a number.
+    #[error("'{text}' is not a fraction p/q: {reason}")]
+    NotANumber {
+        /// The text as given.
+        text: String,
+        /// What is wrong with it.
+        reason: &'static str,
+    },
+    /// Reading or writing a file failed.
+    #[error("{path}: {message}")]
+    Io {
+        /// The file.
+        path: String,
+        /// What the operating system said.
+        message: String,
+    },
+    /// A picture could not be drawn.
+    #[error("cannot draw: {message}")]
+    Drawing {
+        /// Why.
+        message: String,
+    },
+}

@@ -1,0 +1,172 @@
+//! Ends put back after fine tuning, by one similarity.
+//!
+//! With `Q_0 ... Q_N` the control points of the tuned curve and `I_0 ... I_N` those of the invariant curve (`α = 1`)
+//! over the same knots,
+//!
+//! ```text
+//! Q'_k = I_k                        k < j or k > N - j
+//! Q'_k = I_j + Z (Q_k - Q_j)        j <= k <= N - j
+//! ```
+//! where `Z` is the rotation and scaling that takes `Q_{N-j} - Q_j` to `I_{N-j} - I_j`; `j` is 0 to hold the end
+//! points, 1 to hold the tangents too, 2 to hold the curvatures too ([Miura] 2.1). In the plane `Z` is a complex
+//! factor, hence rational; in space it is the rotation by the least angle, which needs square roots.
+
+use crate::build::parameters::length;
+use crate::coeff::Coeff;
+use crate::error::{Error, Result};
+use crate::ops::product::cross3;
+use crate::scalar::{Real, Scalar};
+use crate::spline::{Curve, Function, Spline};
+use nalgebra::{SVector, vector};
+
+/// What stays in place at both ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Hold {
+    /// The end points.
+    Points,
+    /// End points and first derivatives.
+    Tangents,
+    /// End points, first and second derivatives.
+    Curvatures,
+}
+
+impl Hold {
+    /// The index `j` of the control points that are matched.
+    fn depth(self) -> usize {
+        match self {
+            Self::Points => 0,
+            Self::Tangents => 1,
+            Self::Curvatures => 2,
+        }
+    }
+}
+
+/// Vectors with a rotation and scaling from one to another.
+pub trait Turnable<T: Scalar>: Coeff<T> {
+    /// The similarity, without reflection, that takes `from` to `to`; nothing if `from` is zero.
+    fn turn(from: &Self, to: &Self) -> Option<impl Fn(&Self) -> Self>;
+}
+
+impl<T: Scalar> Turnable<T> for SVector<T, 2> {
+    /// Multiplication by the complex number `to / from`.
+    fn turn(from: &Self, to: &Self) -> Option<impl Fn(&Self) -> Self> {
+        let square = T::dot(from.iter().zip(from.iter()));
+        if square.is_zero() {
+            return None;
+        }
+        let re = T::dot(to.iter().zip(from.iter())) / &square;
+        let im = (to[1].clone() * &from[0] - to[0].clone() * &from[1]) / square;
+        Some(move |v: &Self| {
+            let [x, y] = [&v[0], &v[1]];
+            vector![re.clone() * x - im.clone() * y, im.clone() * x + re.clone() * y]
+        })
+    }
+}
+
+impl<T: Real> Turnable<T> for SVector<T, 3> {
+    /// The rotation by the least angle, about `from × to`, and the scaling `|to| / |from|`.
+    fn turn(from: &Self, to: &Self) -> Option<impl Fn(&Self) -> Self> {
+        let sizes = length(from) * length(to);
+        if sizes.is_zero() {
+            return None;
+        }
+        let scale = length(to) / length(from);
+        let cosine = T::dot(from.iter().zip(to.iter())) / &sizes;
+        let sine = cross3(from, to).scaled(&(T::one() / sizes));
+        // Half a turn has no least axis: take one across `from`, near the coordinate axis it leans to least.
+        let opposite = T::one() + &cosine;
+        let half_turn = opposite.is_zero().then(|| across(from));
+        Some(move |v: &Self| {
+            let mut turned = v.clone();
+            match &half_turn {
+                Some(axis) => {
+                    let along = T::dot(axis.iter().zip(v.iter()));
+                    turned.scale(&-T::one());
+                    turned.add_scaled(&(T::int(2) * along), axis);
+                }
+                None => {
+                    let once = cross3(&sine, v);
+                    turned += cross3(&sine, &once).scaled(&(T::one() / &opposite));
+                    turned += once;
+                }
+            }
+            turned.scale(&scale);
+            turned
+        })
+    }
+}
+
+/// A unit vector across `v`.
+fn across<T: Real>(v: &SVector<T, 3>) -> SVector<T, 3> {
+    let least = if v[0].magnitude() <= v[1].magnitude() && v[0].magnitude() <= v[2].magnitude() {
+        vector![T::one(), T::zero(), T::zero()]
+    } else if v[1].magnitude() <= v[2].magnitude() {
+        vector![T::zero(), T::one(), T::zero()]
+    } else {
+        vector![T::zero(), T::zero(), T::one()]
+    };
+    let normal = cross3(v, &least);
+    normal.scaled(&(T::one() / length(&normal)))
+}
+
+impl<T: Scalar, const N: usize> Curve<T, N>
+where
+    SVector<T, N>: Turnable<T>,
+{
+    /// The curve with its derivative multiplied by `alpha`, then rotated and scaled so that its ends are held.
+    ///
+    /// With [`Hold::Points`] the result is similar to [`fine_tuned`](Curve::fine_tuned), so its curvature is that one's
+    /// times one constant. The other holds change the first and last span besides. Plane curves are exact over any
+    /// field, space curves need a [`Real`].
+    ///
+    /// # Errors
+    /// [`Error::NoChord`] if the matched points of the curve coincide at both ends, as in a closed curve: no scaling
+    /// puts them in place. [`Error::CoefficientCount`] if the result has less than `2 j + 2` control points. Those of
+    /// [`fine_tuned`](Curve::fine_tuned).
+    ///
+    /// # Examples
+    /// ```
+    /// use nalgebra::vector;
+    /// use symspline::{Curve, Function, Hold, Q, Scalar, SplineSpace};
+    /// let q = |x: i64, y: i64| vector![Q::int(x), Q::int(y)];
+    /// let curve = Curve::new(SplineSpace::bezier(2, Q::int(0), Q::int(1))?, vec![q(0, 0), q(1, 2), q(2, 0)])?;
+    /// let alpha = Function::new(SplineSpace::bezier(1, Q::int(0), Q::int(1))?, vec![Q::int(1), Q::int(2)])?;
+    /// let tuned = curve.fine_tuned_holding(&alpha, Hold::Points)?;
+    /// assert_eq!(tuned.at(&Q::int(1))?, q(2, 0));
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    pub fn fine_tuned_holding(&self, alpha: &Function<T>, hold: Hold) -> Result<Self> {
+        let tuned = self.fine_tuned(alpha)?;
+        let invariant = self.clamped_ends()?.embedded(tuned.space())?;
+        held(&tuned, &invariant, hold)
+    }
+}
+
+/// `tuned` with its end control points put where those of `invariant` are, both over the same knots.
+fn held<T: Scalar, const N: usize>(
+    tuned: &Curve<T, N>,
+    invariant: &Curve<T, N>,
+    hold: Hold,
+) -> Result<Curve<T, N>>
+where
+    SVector<T, N>: Turnable<T>,
+{
+    let (q, i, j) = (tuned.coeffs(), invariant.coeffs(), hold.depth());
+    if q.len() < 2 * j + 2 {
+        return Err(Error::CoefficientCount { expected: 2 * j + 2, found: q.len() });
+    }
+    let far = q.len() - 1 - j;
+    let chord = |points: &[SVector<T, N>]| points[far].minus(&points[j]);
+    let (source, target) = (chord(q), chord(i));
+    let turn = SVector::turn(&source, &target).filter(|_| !target.is_zero()).ok_or(Error::NoChord)?;
+    let place = |k: usize| match k {
+        // The matched points themselves, without rounding.
+        k if k <= j || k >= far => i[k].clone(),
+        k => {
+            let mut point = turn(&q[k].minus(&q[j]));
+            point.add_scaled(&T::one(), &i[j]);
+            point
+        }
+    };
+    Spline::new(tuned.space().clone(), (0..q.len()).map(place).collect())
+}

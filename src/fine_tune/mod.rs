@@ -1,0 +1,4 @@
+//! Fine tuning: a curve is deformed by scaling its derivative [Miura].
+
+pub mod scale;
+pub mod hold;

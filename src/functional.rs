@@ -1,0 +1,71 @@
+//! Linear functionals on the coefficients of a spline.
+
+use crate::coeff::Coeff;
+use crate::scalar::Scalar;
+
+/// A linear functional with few neighbouring weights: `c -> Σ_k w_k c[first + k]`.
+///
+/// Indices run on past the last coefficient and wrap to the first, which is what periodic spaces need; in an open
+/// space a functional never reaches that far. A functional acts on any coefficients: on numbers, on points.
+///
+/// # Examples
+/// ```
+/// use symspline::Functional;
+/// let mean = Functional::new(3, [0.5, 0.5]);
+/// assert_eq!(mean.apply(&[2.0, 0.0, 0.0, 4.0]), 3.0);
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Functional<T> {
+    first: usize,
+    weights: Vec<T>,
+}
+
+impl<T: Scalar> Functional<T> {
+    /// The functional with `weights` on the coefficients from `first`.
+    pub fn new(first: usize, weights: impl Into<Vec<T>>) -> Self {
+        Self { first, weights: weights.into() }
+    }
+
+    /// The index of the first weighted coefficient.
+    pub fn first(&self) -> usize {
+        self.first
+    }
+
+    /// The weights.
+    pub fn weights(&self) -> &[T] {
+        &self.weights
+    }
+
+    /// The value on `coeffs`.
+    ///
+    /// # Panics
+    /// If `coeffs` is empty.
+    pub fn apply<C: Coeff<T>>(&self, coeffs: &[C]) -> C {
+        weigh(self.first, &self.weights, coeffs)
+    }
+
+    /// The weights spread over `dim` coefficients, wrapped ones added up.
+    pub fn to_dense(&self, dim: usize) -> Vec<T> {
+        let mut dense = vec![T::zero(); dim];
+        for (k, w) in self.weights.iter().enumerate() {
+            dense[(self.first + k) % dim] += w;
+        }
+        dense
+    }
+
+    /// The multiple by `factor`.
+    pub(crate) fn scaled(mut self, factor: &T) -> Self {
+        self.weights.iter_mut().for_each(|w| *w *= factor);
+        self
+    }
+}
+
+/// `Σ_k weights[k] coeffs[first + k]`, indices wrapped.
+#[inline]
+pub(crate) fn weigh<T: Scalar, C: Coeff<T>>(first: usize, weights: &[T], coeffs: &[C]) -> C {
+    let sum = match coeffs.get(first..first + weights.len()) {
+        Some(window) => C::combine(weights.iter().zip(window)),
+        None => C::combine(weights.iter().zip((first..).map(|i| &coeffs[i % coeffs.len()]))),
+    };
+    sum.unwrap_or_else(|| coeffs[0].zero_like())
+}

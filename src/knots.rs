@@ -1,0 +1,90 @@
+//! Knot vectors: the non-decreasing sequences on which spline spaces stand.
+
+use crate::error::{Error, Result};
+use crate::scalar::Scalar;
+use std::ops::Deref;
+use std::sync::Arc;
+
+/// A non-decreasing sequence of finite knots, shared by every space and spline that stands on it.
+///
+/// Knots are compared with `==`: two knots are the same knot or they are not. Data whose equal knots differ by
+/// rounding passes once through [`snapped`](Self::snapped), the only tolerance below the fitting tools.
+///
+/// # Examples
+/// ```
+/// use symspline::KnotVector;
+/// let knots = KnotVector::new([0.0, 0.0, 1.0, 2.0, 2.0])?;
+/// assert_eq!(knots.multiplicities(), [(0.0, 2), (1.0, 1), (2.0, 2)]);
+/// # Ok::<(), symspline::Error>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct KnotVector<T>(Arc<[T]>);
+
+impl<T: Scalar> KnotVector<T> {
+    /// Checks that the knots are finite and in order.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`], [`Error::KnotsDecrease`].
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::{Error, KnotVector};
+    /// assert_eq!(KnotVector::new([0.0, 2.0, 1.0]).unwrap_err(), Error::KnotsDecrease { index: 2 });
+    /// assert!(matches!(KnotVector::new([0.0, f64::NAN]), Err(Error::NotFinite { what: "knot", index: 1 })));
+    /// ```
+    pub fn new(values: impl IntoIterator<Item = T>) -> Result<Self> {
+        let values: Arc<[T]> = values.into_iter().collect();
+        if let Some(index) = values.iter().position(|t| !t.is_finite()) {
+            return Err(Error::NotFinite { what: "knot", index });
+        }
+        match values.windows(2).position(|pair| pair[1] < pair[0]) {
+            Some(before) => Err(Error::KnotsDecrease { index: before + 1 }),
+            None => Ok(Self(values)),
+        }
+    }
+
+    /// The distinct knots, each with the number of its copies.
+    pub fn multiplicities(&self) -> Vec<(T, usize)> {
+        self.chunk_by(T::eq).map(|copies| (copies[0].clone(), copies.len())).collect()
+    }
+
+    /// The same knots with near ones made equal: each knot less than or exactly `tolerance` above the first of its
+    /// cluster takes the value of that first one.
+    ///
+    /// `tolerance` is a parameter difference, in the unit of the knots.
+    ///
+    /// # Errors
+    /// [`Error::BadTolerance`] unless `tolerance` is finite and not negative.
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::KnotVector;
+    /// let knots = KnotVector::new([0.0, 0.3, 0.1 + 0.2, 1.0])?;
+    /// assert_eq!(knots.multiplicities().len(), 4);
+    /// assert_eq!(knots.snapped(&1e-12)?.multiplicities(), [(0.0, 1), (0.3, 2), (1.0, 1)]);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    pub fn snapped(&self, tolerance: &T) -> Result<Self> {
+        if !tolerance.is_finite() || *tolerance < T::zero() {
+            return Err(Error::BadTolerance { tolerance: tolerance.to_string() });
+        }
+        let mut snapped: Vec<T> = Vec::with_capacity(self.len());
+        for t in self.iter() {
+            let kept = match snapped.last() {
+                Some(first) if t.clone() - first <= *tolerance => first.clone(),
+                _ => t.clone(),
+            };
+            snapped.push(kept);
+        }
+        Ok(Self(snapped.into()))
+    }
+}
+
+impl<T> Deref for KnotVector<T> {
+    type Target = [T];
+
+    #[inline]
+    fn deref(&self) -> &[T] {
+        &self.0
+    }
+}

@@ -1,0 +1,287 @@
+//! Linear and bilinear maps between coefficient vectors, kept as rows of weights.
+//!
+//! An operator between spline spaces is one short row of weights a target coefficient, made from the knots alone.
+//! Kept by the caller, such a map is a table: applying it again to other coefficients costs a few products a row.
+
+use crate::coeff::Coeff;
+use crate::error::{Error, Result};
+use crate::functional::{Functional, weigh};
+use crate::scalar::Scalar;
+use nalgebra::DMatrix;
+
+/// A linear map as rows: target coefficient `i` is the functional `row(i)` of the source coefficients.
+///
+/// # Examples
+/// ```
+/// use symspline::{Functional, LinearMap};
+/// let halve = LinearMap::from_rows(2, [Functional::new(0, [0.5, 0.5]), Functional::new(1, [1.0])])?;
+/// assert_eq!(halve.apply(&[2.0, 4.0])?, [3.0, 4.0]);
+/// assert_eq!(halve.transpose().apply(&[2.0, 4.0])?, [1.0, 5.0]);
+/// # Ok::<(), symspline::Error>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct LinearMap<T> {
+    source_dim: usize,
+    /// Row `i` has `weights[ends[i - 1]..ends[i]]` on the coefficients from `firsts[i]`.
+    firsts: Vec<usize>,
+    ends: Vec<usize>,
+    weights: Vec<T>,
+}
+
+impl<T: Scalar> LinearMap<T> {
+    /// The map with the given rows on `source_dim` coefficients.
+    ///
+    /// # Errors
+    /// [`Error::IndexOutOfRange`] if a row starts past the last coefficient (it may wrap after that).
+    pub fn from_rows(source_dim: usize, rows: impl IntoIterator<Item = Functional<T>>) -> Result<Self> {
+        let mut map = Self::empty(source_dim, 0);
+        for row in rows {
+            if row.first() >= source_dim {
+                return Err(Error::IndexOutOfRange { index: row.first(), length: source_dim });
+            }
+            map.push(row.first(), |weights| weights.extend_from_slice(row.weights()));
+        }
+        Ok(map)
+    }
+
+    /// The identity on `dim` coefficients.
+    pub fn identity(dim: usize) -> Self {
+        let mut map = Self::empty(dim, dim);
+        (0..dim).for_each(|i| map.push(i, |weights| weights.push(T::one())));
+        map
+    }
+
+    /// A map without rows, with room for some.
+    pub(crate) fn empty(source_dim: usize, rows: usize) -> Self {
+        Self {
+            source_dim,
+            firsts: Vec::with_capacity(rows),
+            ends: Vec::with_capacity(rows),
+            weights: Vec::new(),
+        }
+    }
+
+    /// Adds a row whose weights `fill` appends.
+    #[inline]
+    pub(crate) fn push(&mut self, first: usize, fill: impl FnOnce(&mut Vec<T>)) {
+        fill(&mut self.weights);
+        self.firsts.push(first);
+        self.ends.push(self.weights.len());
+    }
+
+    /// Adds a row whose weights `fill` appends, and which returns where they start.
+    #[inline]
+    pub(crate) fn push_with(&mut self, fill: impl FnOnce(&mut Vec<T>) -> usize) {
+        let first = fill(&mut self.weights);
+        self.firsts.push(first);
+        self.ends.push(self.weights.len());
+    }
+
+    /// The number of coefficients it takes.
+    pub fn source_dim(&self) -> usize {
+        self.source_dim
+    }
+
+    /// The number of coefficients it gives.
+    pub fn target_dim(&self) -> usize {
+        self.firsts.len()
+    }
+
+    /// First index and weights of row `i`.
+    ///
+    /// # Panics
+    /// If there is no such row.
+    pub fn row(&self, i: usize) -> (usize, &[T]) {
+        let start = if i == 0 { 0 } else { self.ends[i - 1] };
+        (self.firsts[i], &self.weights[start..self.ends[i]])
+    }
+
+    /// The rows, each with its first index.
+    pub fn rows(&self) -> impl ExactSizeIterator<Item = (usize, &[T])> {
+        (0..self.target_dim()).map(|i| self.row(i))
+    }
+
+    /// The image of `coeffs`.
+    ///
+    /// # Errors
+    /// [`Error::CoefficientCount`] if their number is not [`source_dim`](Self::source_dim).
+    pub fn apply<C: Coeff<T>>(&self, coeffs: &[C]) -> Result<Vec<C>> {
+        if coeffs.len() != self.source_dim {
+            return Err(Error::CoefficientCount { expected: self.source_dim, found: coeffs.len() });
+        }
+        Ok(self.rows().map(|(first, weights)| weigh(first, weights, coeffs)).collect())
+    }
+
+    /// The map `self ∘ first`.
+    ///
+    /// # Errors
+    /// [`Error::CoefficientCount`] if `first` does not give as many coefficients as `self` takes.
+    pub fn after(&self, first: &Self) -> Result<Self> {
+        if first.target_dim() != self.source_dim {
+            return Err(Error::CoefficientCount { expected: self.source_dim, found: first.target_dim() });
+        }
+        let mut gather = Gather::new(first.source_dim);
+        let mut composed = Self::empty(first.source_dim, self.target_dim());
+        for (start, weights) in self.rows() {
+            for (k, w) in weights.iter().enumerate() {
+                let (inner, factors) = first.row((start + k) % self.source_dim);
+                factors.iter().enumerate().for_each(|(l, f)| gather.add(inner + l, w.clone() * f));
+            }
+            composed.push_with(|weights| gather.drain_into(weights));
+        }
+        Ok(composed)
+    }
+
+    /// The transposed map.
+    pub fn transpose(&self) -> Self {
+        let mut columns: Vec<Vec<(usize, &T)>> = vec![Vec::new(); self.source_dim];
+        for (i, (first, weights)) in self.rows().enumerate() {
+            for (k, w) in weights.iter().enumerate() {
+                columns[(first + k) % self.source_dim].push((i, w));
+            }
+        }
+        let mut gather = Gather::new(self.target_dim());
+        let mut transposed = Self::empty(self.target_dim(), self.source_dim);
+        for column in columns {
+            column.into_iter().for_each(|(i, w)| gather.add(i, w.clone()));
+            transposed.push_with(|weights| gather.drain_into(weights));
+        }
+        transposed
+    }
+
+    /// The dense matrix, `target_dim` by `source_dim`.
+    pub fn to_matrix(&self) -> DMatrix<T> {
+        let mut matrix = DMatrix::from_element(self.target_dim(), self.source_dim, T::zero());
+        for (i, (first, weights)) in self.rows().enumerate() {
+            for (k, w) in weights.iter().enumerate() {
+                matrix[(i, (first + k) % self.source_dim)] += w;
+            }
+        }
+        matrix
+    }
+}
+
+/// A bilinear map as rows: target coefficient `i` is `Σ w_kl c[k] d[l]` over a small window of index pairs.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BilinearMap<T> {
+    dims: (usize, usize),
+    rows: Vec<BilinearRow<T>>,
+}
+
+/// One row of a [`BilinearMap`]: `weights[k][l]` belongs to the coefficients `first.0 + k` and `first.1 + l`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BilinearRow<T> {
+    /// The first indices, left and right.
+    pub first: (usize, usize),
+    /// One row of weights for each left index.
+    pub weights: Vec<Vec<T>>,
+}
+
+impl<T: Scalar> BilinearMap<T> {
+    /// The map with the given rows on `left_dim` by `right_dim` coefficients; all indices wrap.
+    ///
+    /// # Errors
+    /// [`Error::IndexOutOfRange`] if a row starts past the last coefficient of either side.
+    pub fn from_rows(
+        left_dim: usize,
+        right_dim: usize,
+        rows: impl IntoIterator<Item = BilinearRow<T>>,
+    ) -> Result<Self> {
+        let rows: Vec<_> = rows.into_iter().collect();
+        for BilinearRow { first: (left, right), .. } in &rows {
+            if *left >= left_dim {
+                return Err(Error::IndexOutOfRange { index: *left, length: left_dim });
+            }
+            if *right >= right_dim {
+                return Err(Error::IndexOutOfRange { index: *right, length: right_dim });
+            }
+        }
+        Ok(Self { dims: (left_dim, right_dim), rows })
+    }
+
+    /// The numbers of coefficients it takes on the left and on the right.
+    pub fn source_dims(&self) -> (usize, usize) {
+        self.dims
+    }
+
+    /// The number of coefficients it gives.
+    pub fn target_dim(&self) -> usize {
+        self.rows.len()
+    }
+
+    /// The rows.
+    pub fn rows(&self) -> &[BilinearRow<T>] {
+        &self.rows
+    }
+
+    /// The image of numbers `left` and any coefficients `right`.
+    ///
+    /// # Errors
+    /// [`Error::CoefficientCount`] if either count is wrong.
+    pub fn apply<C: Coeff<T>>(&self, left: &[T], right: &[C]) -> Result<Vec<C>> {
+        self.fix_left(left)?.apply(right)
+    }
+
+    /// The linear map of the right argument that remains when the left one is `left`.
+    ///
+    /// # Errors
+    /// [`Error::CoefficientCount`] if the count is wrong.
+    pub fn fix_left(&self, left: &[T]) -> Result<LinearMap<T>> {
+        if left.len() != self.dims.0 {
+            return Err(Error::CoefficientCount { expected: self.dims.0, found: left.len() });
+        }
+        let mut map = LinearMap::empty(self.dims.1, self.rows.len());
+        for row in &self.rows {
+            let factor = |k: usize| &left[(row.first.0 + k) % left.len()];
+            let width = row.weights.first().map_or(0, Vec::len);
+            let weight = |l: usize| T::dot(row.weights.iter().enumerate().map(|(k, w)| (factor(k), &w[l])));
+            map.push(row.first.1, |weights| weights.extend((0..width).map(weight)));
+        }
+        Ok(map)
+    }
+
+    /// The same map with its arguments exchanged.
+    pub fn swapped(&self) -> Self {
+        let swap = |row: &BilinearRow<T>| {
+            let width = row.weights.first().map_or(0, Vec::len);
+            let column = |l: usize| row.weights.iter().map(|w| w[l].clone()).collect();
+            BilinearRow { first: (row.first.1, row.first.0), weights: (0..width).map(column).collect() }
+        };
+        Self { dims: (self.dims.1, self.dims.0), rows: self.rows.iter().map(swap).collect() }
+    }
+}
+
+/// A sum of weights at scattered indices, gathered into one row.
+struct Gather<T> {
+    dense: Vec<T>,
+    touched: Vec<usize>,
+}
+
+impl<T: Scalar> Gather<T> {
+    fn new(dim: usize) -> Self {
+        Self { dense: vec![T::zero(); dim], touched: Vec::new() }
+    }
+
+    fn add(&mut self, index: usize, weight: T) {
+        let slot = index % self.dense.len();
+        self.dense[slot] += weight;
+        self.touched.push(slot);
+    }
+
+    /// Appends the shortest row, cyclically, that holds all touched weights; returns its first index.
+    fn drain_into(&mut self, weights: &mut Vec<T>) -> usize {
+        let dim = self.dense.len();
+        self.touched.sort_unstable();
+        self.touched.dedup();
+        let Some((&lowest, &highest)) = self.touched.first().zip(self.touched.last()) else { return 0 };
+        // The row starts after the widest gap between touched slots; the gap at the seam wins ties.
+        let seam_gap = lowest + dim - highest;
+        let inner = self.touched.windows(2).map(|pair| (pair[1] - pair[0], pair[1]));
+        let widest = inner.max_by_key(|gap| gap.0).filter(|gap| gap.0 > seam_gap);
+        let (gap, first) = widest.unwrap_or((seam_gap, lowest));
+        let take = |i: usize| std::mem::replace(&mut self.dense[(first + i) % dim], T::zero());
+        weights.extend((0..=dim - gap).map(take));
+        self.touched.clear();
+        first
+    }
+}

@@ -1,0 +1,130 @@
+//! Sums, differences and multiples.
+//!
+//! Two splines of different spaces are first written in the union of the spaces; there coefficients add.
+
+use crate::coeff::Coeff;
+use crate::error::Result;
+use crate::scalar::Scalar;
+use crate::spline::Spline;
+use std::ops::{Add, Mul, Neg, Sub};
+
+impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
+    /// The sum `self + other`, in the [union](crate::SplineSpace::union) of the spaces.
+    ///
+    /// # Errors
+    /// [`DomainMismatch`](crate::Error::DomainMismatch); [`NotFinite`](crate::Error::NotFinite) on overflow.
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::{Function, SplineSpace};
+    /// let line = Function::new(SplineSpace::bezier(1, 0.0, 1.0)?, vec![0.0, 2.0])?;
+    /// let step = Function::new(SplineSpace::clamped(0, [0.0, 0.5, 1.0])?, vec![0.0, 1.0])?;
+    /// let sum = line.sum(&step)?;
+    /// assert_eq!((sum.at_left(&0.5)?, sum.at(&0.5)?), (1.0, 2.0));
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    pub fn sum(&self, other: &Self) -> Result<Self> {
+        self.plus_scaled(&T::one(), other)
+    }
+
+    /// The difference `self - other`.
+    ///
+    /// # Errors
+    /// As [`sum`](Self::sum).
+    pub fn difference(&self, other: &Self) -> Result<Self> {
+        self.plus_scaled(&-T::one(), other)
+    }
+
+    /// The combination `self + weight * other`.
+    ///
+    /// # Errors
+    /// As [`sum`](Self::sum).
+    pub fn plus_scaled(&self, weight: &T, other: &Self) -> Result<Self> {
+        let space = self.space().union(other.space())?;
+        let mut coeffs = self.embedded(&space)?.into_coeffs();
+        let others = other.embedded(&space)?;
+        coeffs.iter_mut().zip(others.coeffs()).for_each(|(c, d)| c.add_scaled(weight, d));
+        Spline::new(space, coeffs)
+    }
+
+    /// The multiple `factor * self`.
+    ///
+    /// # Errors
+    /// [`NotFinite`](crate::Error::NotFinite) if the factor is not finite or a coefficient overflows.
+    pub fn scaled(&self, factor: &T) -> Result<Self> {
+        Spline::new(self.space().clone(), self.coeffs().iter().map(|c| c.scaled(factor)).collect())
+    }
+
+    /// The spline plus a constant.
+    ///
+    /// # Errors
+    /// [`NotFinite`](crate::Error::NotFinite) as for [`scaled`](Self::scaled).
+    pub fn translated(&self, by: &C) -> Result<Self> {
+        let mut coeffs = self.coeffs().to_vec();
+        coeffs.iter_mut().for_each(|c| c.add_scaled(&T::one(), by));
+        Spline::new(self.space().clone(), coeffs)
+    }
+
+    /// Whether both describe the same function, in whatever spaces.
+    ///
+    /// Over `f64` rounding usually makes this false where it would be true exactly.
+    ///
+    /// # Errors
+    /// [`DomainMismatch`](crate::Error::DomainMismatch).
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::{Function, Q, Scalar, SplineSpace};
+    /// let line = Function::new(SplineSpace::bezier(1, Q::int(0), Q::int(1))?, vec![Q::int(0), Q::frac(1, 3)])?;
+    /// assert_ne!(line, line.elevated(1)?);
+    /// assert!(line.same_function(&line.elevated(1)?)?);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    pub fn same_function(&self, other: &Self) -> Result<bool> {
+        Ok(self.difference(other)?.coeffs().iter().all(C::is_zero))
+    }
+}
+
+impl<T: Scalar, C: Coeff<T>> Add for &Spline<T, C> {
+    type Output = Spline<T, C>;
+
+    /// The [sum](Spline::sum).
+    ///
+    /// # Panics
+    /// With the text of its error.
+    fn add(self, other: Self) -> Spline<T, C> {
+        self.sum(other).unwrap_or_else(|error| panic!("{error}"))
+    }
+}
+
+impl<T: Scalar, C: Coeff<T>> Sub for &Spline<T, C> {
+    type Output = Spline<T, C>;
+
+    /// The [difference](Spline::difference).
+    ///
+    /// # Panics
+    /// With the text of its error.
+    fn sub(self, other: Self) -> Spline<T, C> {
+        self.difference(other).unwrap_or_else(|error| panic!("{error}"))
+    }
+}
+
+impl<T: Scalar, C: Coeff<T>> Neg for &Spline<T, C> {
+    type Output = Spline<T, C>;
+
+    fn neg(self) -> Spline<T, C> {
+        self.scaled(&-T::one()).expect("finite coefficients have finite negatives")
+    }
+}
+
+impl<T: Scalar, C: Coeff<T>> Mul<T> for &Spline<T, C> {
+    type Output = Spline<T, C>;
+
+    /// The [multiple](Spline::scaled).
+    ///
+    /// # Panics
+    /// With the text of its error.
+    fn mul(self, factor: T) -> Spline<T, C> {
+        self.scaled(&factor).unwrap_or_else(|error| panic!("{error}"))
+    }
+}

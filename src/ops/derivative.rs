@@ -1,0 +1,106 @@
+//! Derivatives as splines.
+//!
+//! ```text
+//! c'_i = p (c_{i+1} - c_i) / (t_{i+p+1} - t_{i+1})          [NURBS] 3.6
+//! ```
+//! in degree `p - 1` over the knots without the first and the last. A knot of `p + 1` copies is a jump: a spline
+//! there has no derivative among the splines, and the operator says so.
+
+use crate::coeff::Coeff;
+use crate::error::{Error, Result};
+use crate::map::LinearMap;
+use crate::scalar::Scalar;
+use crate::space::SplineSpace;
+use crate::spline::Spline;
+
+impl<T: Scalar> SplineSpace<T> {
+    /// The space of the derivatives: one degree lower, the same knots inside.
+    ///
+    /// Of degree 0 and one open span, the space itself (its derivatives are zero).
+    ///
+    /// # Errors
+    /// [`Error::Discontinuous`] at a knot of `p + 1` copies.
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::SplineSpace;
+    /// let cubic = SplineSpace::clamped(3, [0.0, 1.0, 2.0])?;
+    /// assert_eq!(cubic.derivative_space()?, SplineSpace::clamped(2, [0.0, 1.0, 2.0])?);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    pub fn derivative_space(&self) -> Result<Self> {
+        let p = self.degree();
+        let jump = |knots: &[(T, usize)]| knots.iter().find(|(_, m)| *m > p).map(|(t, _)| t.to_string());
+        let inside = if self.is_periodic() { self.round() } else { self.parts().inner };
+        if let Some(knot) = jump(&inside) {
+            return Err(Error::Discontinuous { knot });
+        }
+        if p == 0 {
+            return Ok(self.clone());
+        }
+        if self.is_periodic() {
+            return Self::periodic_from_breaks(p - 1, &inside, self.length());
+        }
+        let t = self.knots();
+        Self::new(p - 1, t[1..t.len() - 1].iter().cloned())
+    }
+
+    /// The derivative as a map from this space to its [`derivative_space`](Self::derivative_space).
+    ///
+    /// # Errors
+    /// [`Error::Discontinuous`].
+    pub fn differentiation(&self) -> Result<LinearMap<T>> {
+        let (p, t, target) = (self.degree(), self.knots(), self.derivative_space()?);
+        let mut map = LinearMap::empty(self.dim(), target.dim());
+        for i in 0..target.dim() {
+            if p == 0 {
+                map.push(0, |weights| weights.push(T::zero()));
+                continue;
+            }
+            let slope = T::int(p as i64) / (t[i + p + 1].clone() - &t[i + 1]);
+            map.push(i, |weights| weights.extend([-slope.clone(), slope]));
+        }
+        Ok(map)
+    }
+}
+
+impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
+    /// The derivative.
+    ///
+    /// # Errors
+    /// [`Error::Discontinuous`] if a knot inside has `p + 1` copies, whether or not the values there agree;
+    /// [`Error::NotFinite`] on overflow.
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::{Error, Function, SplineSpace};
+    /// let square = Function::new(SplineSpace::bezier(2, 0.0, 1.0)?, vec![0.0, 0.0, 1.0])?;
+    /// assert_eq!(square.derivative()?.coeffs(), [0.0, 2.0]);
+    /// let step = Function::new(SplineSpace::clamped(0, [0.0, 1.0, 2.0])?, vec![3.0, 5.0])?;
+    /// assert_eq!(step.derivative().unwrap_err(), Error::Discontinuous { knot: "1".into() });
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn derivative(&self) -> Result<Self> {
+        let (p, t, target) = (self.degree(), self.space().knots(), self.space().derivative_space()?);
+        if p == 0 {
+            return Spline::new(target, self.coeffs().iter().map(C::zero_like).collect());
+        }
+        let leg = |i: usize| {
+            let slope = T::int(p as i64) / (t[i + p + 1].clone() - &t[i + 1]);
+            let mut leg = self.coeff(i + 1).minus(self.coeff(i));
+            leg.scale(&slope);
+            leg
+        };
+        let coeffs = (0..target.dim()).map(leg).collect();
+        Spline::new(target, coeffs)
+    }
+
+    /// The derivative of order `order`; of order 0 the spline itself.
+    ///
+    /// # Errors
+    /// As [`derivative`](Self::derivative).
+    pub fn nth_derivative(&self, order: usize) -> Result<Self> {
+        crate::space::check_degree(order)?;
+        (0..order).try_fold(self.clone(), |f, _| f.derivative())
+    }
+}

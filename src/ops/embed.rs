@@ -1,0 +1,222 @@
+//! The same spline in a larger space: knot insertion, degree elevation, clamping, Bezier pieces.
+//!
+//! Coefficient `j` of a finer space of the same degree is the polar value of the spline at the `p` knots after `j`
+//! of that space; one degree higher it is the mean of the `p + 1` polar values that leave out one knot each
+//! ([Ramshaw]). Arguments that are knots of both spaces cost nothing, and the others lie between the knots around
+//! them, so that every step is a convex combination: nothing is amplified, on whatever knots.
+//!
+//! Only outer knots may make a step extrapolate, where the target is unclamped and its outer knots are new.
+
+use crate::coeff::Coeff;
+use crate::error::Result;
+use crate::map::LinearMap;
+use crate::scalar::Scalar;
+use crate::space::SplineSpace;
+use crate::spline::Spline;
+
+impl<T: Scalar> SplineSpace<T> {
+    /// The map that gives a spline of this space its coefficients in `target`.
+    ///
+    /// Linear in the number of knots. Each row sums to one.
+    ///
+    /// # Errors
+    /// Unless `target` [contains](Self::contains) this space: [`DomainMismatch`](crate::Error::DomainMismatch),
+    /// [`DegreeTooLow`](crate::Error::DegreeTooLow), [`TooSmooth`](crate::Error::TooSmooth),
+    /// [`NotPeriodic`](crate::Error::NotPeriodic).
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::SplineSpace;
+    /// let coarse = SplineSpace::clamped(1, [0.0, 2.0])?;
+    /// let map = coarse.embedding(&SplineSpace::clamped(1, [0.0, 0.5, 2.0])?)?;
+    /// assert_eq!(map.apply(&[4.0, 8.0])?, [4.0, 5.0, 8.0]);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    pub fn embedding(&self, target: &Self) -> Result<LinearMap<T>> {
+        let mut steps = self.embedding_steps(target)?.into_iter();
+        let first = steps.next().unwrap_or_else(|| LinearMap::identity(self.dim()));
+        steps.try_fold(first, |done, step| step.after(&done))
+    }
+
+    /// The embedding as a chain of maps: one a raised degree, one for the knots; none if the spaces are equal.
+    fn embedding_steps(&self, target: &Self) -> Result<Vec<LinearMap<T>>> {
+        self.check_within(target)?;
+        let mut steps = Vec::new();
+        let mut space = self.clone();
+        while space.degree() < target.degree() {
+            let raised = space.elevated(1)?;
+            steps.push(space.elevation_rows(&raised));
+            space = raised;
+        }
+        if space != *target {
+            steps.push(space.insertion_rows(target));
+        }
+        Ok(steps)
+    }
+
+    /// The rows into a space of the same degree whose domain lies within this one's, and which has every knot of
+    /// this one there: each a polar value at the target's own knots.
+    pub(crate) fn insertion_rows(&self, target: &Self) -> LinearMap<T> {
+        let (p, tau) = (self.degree(), target.knots());
+        let mut map = LinearMap::empty(self.dim(), target.dim());
+        let (mut args, mut free) = (Vec::with_capacity(p), Vec::with_capacity(p));
+        let mut walk = SpanWalk::new(self);
+        for j in 0..target.dim() {
+            let k = walk.span_right_of(later(&tau[j], target.domain().0));
+            args.clear();
+            args.extend(&tau[j + 1..=j + p]);
+            map.push_with(|weights| self.polar_into(k, &args, &mut free, weights));
+        }
+        map
+    }
+
+    /// The rows into `raised`, this space elevated by one: means of polar values that leave out one knot.
+    fn elevation_rows(&self, raised: &Self) -> LinearMap<T> {
+        let (p, tau) = (self.degree(), raised.knots());
+        let mut map = LinearMap::empty(self.dim(), raised.dim());
+        let (mut args, mut free) = (Vec::with_capacity(p), Vec::with_capacity(p));
+        let (mut row, mut part) = (vec![T::zero(); p + 1], Vec::with_capacity(p + 1));
+        let mut walk = SpanWalk::new(self);
+        for j in 0..raised.dim() {
+            let k = walk.span_right_of(later(&tau[j], raised.domain().0));
+            let knots = &tau[j + 1..=j + p + 1];
+            let (mut low, mut high) = (p, 0);
+            let mut skip = 0;
+            for copies in knots.chunk_by(T::eq) {
+                args.clear();
+                args.extend(knots[..skip].iter().chain(&knots[skip + 1..]));
+                skip += copies.len();
+                part.clear();
+                let first = self.polar_into(k, &args, &mut free, &mut part) + p - k;
+                let count = T::int(copies.len() as i64);
+                part.iter().enumerate().for_each(|(l, w)| row[first + l] += count.clone() * w);
+                (low, high) = (low.min(first), high.max(first + part.len()));
+            }
+            map.push(k - p + low, |weights| {
+                let mean = |sum: &mut T| std::mem::replace(sum, T::zero()) / T::int(p as i64 + 1);
+                weights.extend(row[low..high].iter_mut().map(mean));
+            });
+        }
+        map
+    }
+}
+
+/// Walks the spans of a space from left to right beside another ascending sequence.
+struct SpanWalk<'a, T> {
+    knots: &'a [T],
+    span: usize,
+    last: usize,
+}
+
+impl<'a, T: Scalar> SpanWalk<'a, T> {
+    fn new(space: &'a SplineSpace<T>) -> Self {
+        Self { knots: space.knots(), span: space.degree(), last: space.last_span() }
+    }
+
+    /// The span that holds what is right of `x`; `x` must not decrease from call to call.
+    fn span_right_of(&mut self, x: &T) -> usize {
+        while self.span < self.last && self.knots[self.span + 1] <= *x {
+            self.span += 1;
+        }
+        self.span
+    }
+}
+
+/// The greater of two knots.
+fn later<'a, T: Scalar>(s: &'a T, t: &'a T) -> &'a T {
+    if s < t { t } else { s }
+}
+
+impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
+    /// The same function as a spline of `target`.
+    ///
+    /// # Errors
+    /// As [`SplineSpace::embedding`].
+    pub fn embedded(&self, target: &SplineSpace<T>) -> Result<Self> {
+        let steps = self.space().embedding_steps(target)?;
+        let start = self.coeffs().to_vec();
+        let coeffs = steps.into_iter().try_fold(start, |coeffs, step| step.apply(&coeffs))?;
+        Spline::new(target.clone(), coeffs)
+    }
+
+    /// The same function with `knots` inserted, each as often as it is listed, in any order.
+    ///
+    /// Computes what [NURBS] A5.1 and A5.4 do, all knots at once and in linear time.
+    ///
+    /// # Errors
+    /// As [`SplineSpace::refined`].
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::{Function, SplineSpace};
+    /// let f = Function::new(SplineSpace::bezier(2, 0.0, 1.0)?, vec![0.0, 2.0, 0.0])?;
+    /// assert_eq!(f.inserted(&[0.5])?.coeffs(), [0.0, 1.0, 1.0, 0.0]);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    pub fn inserted(&self, knots: &[T]) -> Result<Self> {
+        self.embedded(&self.space().refined(knots)?)
+    }
+
+    /// The same function with its degree raised by `raise`; see [`SplineSpace::elevated`] for the knots.
+    ///
+    /// # Errors
+    /// [`DegreeTooHigh`](crate::Error::DegreeTooHigh).
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::{Function, SplineSpace};
+    /// let line = Function::new(SplineSpace::bezier(1, 0.0, 1.0)?, vec![1.0, 4.0])?;
+    /// assert_eq!(line.elevated(2)?.coeffs(), [1.0, 2.0, 3.0, 4.0]);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    pub fn elevated(&self, raise: usize) -> Result<Self> {
+        self.embedded(&self.space().elevated(raise)?)
+    }
+
+    /// The same function with clamped ends; a periodic one is opened at its seam.
+    ///
+    /// # Errors
+    /// None for a valid spline.
+    pub fn clamped_ends(&self) -> Result<Self> {
+        self.embedded(&self.space().clamped_ends()?)
+    }
+
+    /// The same function with unclamped ends; a periodic one is opened and keeps its unrolled knots.
+    ///
+    /// For a clamped spline the new outer coefficients extrapolate the end polynomials: in `f64` they lose digits
+    /// where the end spans are shorter than the outer knot spacing.
+    ///
+    /// # Errors
+    /// As [`SplineSpace::unclamped_ends`].
+    pub fn unclamped_ends(&self) -> Result<Self> {
+        self.embedded(&self.space().unclamped_ends()?)
+    }
+
+    /// The polynomial pieces, one a span, each on its own interval with Bernstein coefficients.
+    ///
+    /// Computes what [NURBS] A5.6 does, with the original parameters kept.
+    ///
+    /// # Errors
+    /// None for a valid spline.
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::{Function, SplineSpace};
+    /// let f = Function::new(SplineSpace::clamped(2, [0.0, 1.0, 2.0])?, vec![0.0, 1.0, 3.0, 0.0])?;
+    /// let pieces = f.bezier_pieces()?;
+    /// assert_eq!(pieces[1].domain(), (&1.0, &2.0));
+    /// assert_eq!(pieces[1].coeffs(), [2.0, 3.0, 0.0]);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    pub fn bezier_pieces(&self) -> Result<Vec<Self>> {
+        let p = self.degree();
+        let all = self.embedded(&self.space().pieces(p)?)?;
+        let breaks = self.space().breaks();
+        let intervals = breaks.windows(2).zip(all.coeffs().chunks(p + 1));
+        let piece = |(ends, coeffs): (&[(T, usize)], &[C])| {
+            let [a, b] = [0, 1].map(|i| ends[i].0.clone());
+            Spline::new(SplineSpace::bezier(p, a, b)?, coeffs.to_vec())
+        };
+        intervals.map(piece).collect()
+    }
+}

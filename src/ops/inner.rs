@@ -1,0 +1,115 @@
+//! Inner products and Gram matrices.
+//!
+//! ```text
+//! <f, g> = ∫ f g        G_ij = ∫ N_i^(k) M_j^(l)
+//! ```
+//! On a span `[a, b]` Bernstein polynomials have the integrals
+//! `∫ B_i^p B_j^q = (b - a) / (p + q + 1) · C(p, i) C(q, j) / C(p + q, i + j)`, so that
+//! `G = Eᵀ D F` with the maps `E`, `F` from the spaces to the pieces of their derivatives and `D` block diagonal.
+
+use crate::coeff::Coeff;
+use crate::error::Result;
+use crate::map::LinearMap;
+use crate::ops::product::bernstein_shares;
+use crate::scalar::Scalar;
+use crate::space::SplineSpace;
+use crate::spline::{Curve, Function, Spline};
+
+impl<T: Scalar> SplineSpace<T> {
+    /// The Gram matrix `∫ N_i^(k) M_j^(l)` of derivatives of this space (order `k`) and of `other` (order `l`) over
+    /// their common domain, as a banded map from coefficients of `other`; row `i` belongs to `N_i`.
+    ///
+    /// # Errors
+    /// [`DomainMismatch`](crate::Error::DomainMismatch), [`Discontinuous`](crate::Error::Discontinuous) if a
+    /// derivative does not exist.
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::{Q, Scalar, SplineSpace};
+    /// let lines = SplineSpace::bezier(1, Q::int(0), Q::int(1))?;
+    /// let gram = lines.gram(&lines, 0, 0)?;
+    /// assert_eq!(gram.row(0), (0, &[Q::frac(1, 3), Q::frac(1, 6)][..]));
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    pub fn gram(&self, other: &Self, k: usize, l: usize) -> Result<LinearMap<T>> {
+        let (a, b) = self.domain();
+        self.check_same_domain(other)?;
+        self.gram_between(other, k, l, a, b)
+    }
+
+    /// As [`gram`](Self::gram), integrated from `a` to `b` only.
+    ///
+    /// # Errors
+    /// As [`gram`](Self::gram), and [`OutsideDomain`](crate::Error::OutsideDomain),
+    /// [`EmptyDomain`](crate::Error::EmptyDomain).
+    pub fn gram_between(&self, other: &Self, k: usize, l: usize, a: &T, b: &T) -> Result<LinearMap<T>> {
+        self.check_same_domain(other)?;
+        let (left, left_space) = self.nth_differentiation(k)?;
+        let (right, right_space) = other.nth_differentiation(l)?;
+        let (f, g) = (left_space.restricted_space(a, b)?, right_space.restricted_space(a, b)?);
+        let (p, q) = (f.degree(), g.degree());
+        let common = f.pieces(p)?.product_space(&g.pieces(q)?)?;
+        let (f_pieces, g_pieces) = (common.pieces(p)?, common.pieces(q)?);
+        let left = f.embedding(&f_pieces)?.after(&left_space.insertion_rows(&f))?.after(&left)?;
+        let right = g.embedding(&g_pieces)?.after(&right_space.insertion_rows(&g))?.after(&right)?;
+        let shares = bernstein_shares::<T>(p, q);
+        let mut blocks = LinearMap::empty(g_pieces.dim(), f_pieces.dim());
+        for (piece, ends) in common.breaks().windows(2).enumerate() {
+            let scale = (ends[1].0.clone() - &ends[0].0) / T::int((p + q + 1) as i64);
+            for row in &shares {
+                blocks.push(piece * (q + 1), |weights| {
+                    weights.extend(row.iter().map(|share| scale.clone() * share));
+                });
+            }
+        }
+        left.transpose().after(&blocks.after(&right)?)
+    }
+
+    /// The derivative of order `order` as a map, with its space.
+    fn nth_differentiation(&self, order: usize) -> Result<(LinearMap<T>, Self)> {
+        crate::space::check_degree(order)?;
+        let start = (LinearMap::identity(self.dim()), self.clone());
+        (0..order).try_fold(start, |(map, space), _| {
+            let next = space.derivative_space()?;
+            Ok((space.differentiation()?.after(&map)?, next))
+        })
+    }
+}
+
+impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
+    /// The integral of the product with a scalar spline, `∫ f w`.
+    ///
+    /// # Errors
+    /// As [`times`](Self::times).
+    pub fn weighted_integral(&self, weight: &Function<T>) -> Result<C> {
+        self.times(weight)?.integral()
+    }
+}
+
+impl<T: Scalar> Function<T> {
+    /// The inner product `∫ f g` over the domain.
+    ///
+    /// # Errors
+    /// As [`times`](Spline::times).
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::Function;
+    /// let x = Function::monomial(1, 0.0, 3.0)?;
+    /// assert!((x.inner(&x)? - 9.0).abs() < 1e-14);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    pub fn inner(&self, other: &Self) -> Result<T> {
+        self.times(other)?.integral()
+    }
+}
+
+impl<T: Scalar, const N: usize> Curve<T, N> {
+    /// The inner product `∫ f · g` of two curves.
+    ///
+    /// # Errors
+    /// As [`dot`](Curve::dot).
+    pub fn inner(&self, other: &Self) -> Result<T> {
+        self.dot(other)?.integral()
+    }
+}

@@ -1,0 +1,199 @@
+//! Antiderivatives, definite integrals and moments.
+//!
+//! ```text
+//! d_0 = 0,   d_{i+1} = d_i + c_i (t_{i+p+1} - t_i) / (p + 1)          [deBoor] X (33)
+//! ```
+//! in degree `p + 1` over the knots with the first and the last repeated, then shifted to be zero at the start of
+//! the domain. As a map this is dense; the method runs the sum instead.
+
+use crate::coeff::Coeff;
+use crate::error::{Error, Result};
+use crate::functional::Functional;
+use crate::map::LinearMap;
+use crate::polar::blossom;
+use crate::scalar::Scalar;
+use crate::space::{SplineSpace, check_degree};
+use crate::spline::{Function, Spline};
+
+impl<T: Scalar> SplineSpace<T> {
+    /// The space of the antiderivatives: one degree higher, the same knots inside, so one order smoother.
+    ///
+    /// # Errors
+    /// [`Error::DegreeTooHigh`].
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::SplineSpace;
+    /// let steps = SplineSpace::clamped(0, [0.0, 1.0, 2.0])?;
+    /// assert_eq!(steps.antiderivative_space()?, SplineSpace::clamped(1, [0.0, 1.0, 2.0])?);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    pub fn antiderivative_space(&self) -> Result<Self> {
+        check_degree(self.degree() + 1)?;
+        if self.is_periodic() {
+            return Self::periodic_from_breaks(self.degree() + 1, &self.round(), self.length());
+        }
+        let t = self.knots();
+        let (first, last) = (t[0].clone(), t[t.len() - 1].clone());
+        Self::new(self.degree() + 1, [first].into_iter().chain(t.iter().cloned()).chain([last]))
+    }
+
+    /// The antiderivative as a map. Its rows are dense, `dim` squared weights in all: meant for spaces of few
+    /// coefficients; [`Spline::antiderivative`] is linear.
+    ///
+    /// # Errors
+    /// [`Error::NotPeriodic`] for a periodic space, which has no such map; [`Error::DegreeTooHigh`].
+    pub fn antidifferentiation(&self) -> Result<LinearMap<T>> {
+        if self.is_periodic() {
+            return Err(Error::NotPeriodic);
+        }
+        let target = self.antiderivative_space()?;
+        let mut sums = LinearMap::empty(self.dim(), target.dim());
+        let before = self.integral_up_to(self.degree(), self.domain().0);
+        for j in 0..target.dim() {
+            let mass = |i: usize| if i < j { self.mass(i) } else { T::zero() };
+            sums.push(0, |weights| weights.extend((0..self.dim()).map(|i| mass(i) - &before[i])));
+        }
+        Ok(sums)
+    }
+
+    /// The integral of unrolled basis function `i` over its whole support.
+    fn mass(&self, i: usize) -> T {
+        let (t, p) = (self.knots(), self.degree());
+        (t[i + p + 1].clone() - &t[i]) / T::int(p as i64 + 1)
+    }
+
+    /// The integrals of the unrolled basis functions up to `x` in span `k`, from the start of their supports.
+    ///
+    /// With `M_j` the basis of degree `p + 1` over the same knots, `∫ N_i = mass(i) Σ_{j >= i} M_j(x)`.
+    fn integral_up_to(&self, k: usize, x: &T) -> Vec<T> {
+        let p = self.degree();
+        let mut tails = vec![T::zero(); p + 2];
+        blossom(self.knots(), k, k, |_| x, &mut tails);
+        (0..=p).rev().for_each(|j| tails[j] = tails[j].clone() + &tails[j + 1]);
+        // tails[l] = Σ_{j >= k-p-1+l} M_j(x), which is 1 for l = 0.
+        let share = |i: usize| match (i + p + 1).checked_sub(k) {
+            None | Some(0) => T::one(),
+            Some(l) => tails.get(l).cloned().unwrap_or_else(T::zero),
+        };
+        (0..self.unrolled_dim()).map(|i| self.mass(i) * share(i)).collect()
+    }
+
+    /// The integral from `x` to `y` as a functional; negative if `y < x`.
+    ///
+    /// # Errors
+    /// [`Error::OutsideDomain`].
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::SplineSpace;
+    /// let space = SplineSpace::clamped(1, [0.0, 1.0, 2.0])?;
+    /// assert_eq!(space.integral_between(&0.0, &2.0)?.to_dense(3), [0.5, 1.0, 0.5]);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    pub fn integral_between(&self, x: &T, y: &T) -> Result<Functional<T>> {
+        let [from, to] = [x, y].map(|x| Ok(self.integral_up_to(self.locate(x)?, x)));
+        let weights: Vec<T> = to?.into_iter().zip(from?).map(|(to, from)| to - from).collect();
+        Ok(Functional::new(0, weights))
+    }
+}
+
+impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
+    /// The antiderivative `F(x) = ∫_a^x f`, zero at the start of the domain.
+    ///
+    /// Linear in the number of coefficients. Jumps of `f` become kinks of `F`.
+    ///
+    /// # Errors
+    /// [`Error::NonZeroMean`] for a periodic spline whose integral over the period is not exactly zero: open it
+    /// first with [`unclamped_ends`](Self::unclamped_ends), which over `f64` is nearly always needed.
+    /// [`Error::NotFinite`] on overflow, [`Error::DegreeTooHigh`].
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::{Function, SplineSpace};
+    /// let line = Function::new(SplineSpace::bezier(1, 0.0, 2.0)?, vec![0.0, 2.0])?;
+    /// assert_eq!(line.antiderivative()?.coeffs(), [0.0, 0.0, 2.0]);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    pub fn antiderivative(&self) -> Result<Self> {
+        let (space, target) = (self.space(), self.space().antiderivative_space()?);
+        let mut coeffs = Vec::with_capacity(target.dim() + 1);
+        let mut sum = self.coeffs()[0].zero_like();
+        for (i, c) in self.coeffs().iter().enumerate() {
+            coeffs.push(sum.clone());
+            sum.add_scaled(&space.mass(i), c);
+        }
+        if !space.is_periodic() {
+            coeffs.push(sum);
+        } else if !sum.is_zero() {
+            let parts: Vec<String> = sum.components().map(T::to_string).collect();
+            return Err(Error::NonZeroMean { integral: parts.join(", ") });
+        }
+        let raw = Spline::new(target, coeffs)?;
+        if space.knots()[0] == *space.domain().0 && !space.is_periodic() {
+            return Ok(raw);
+        }
+        let start = raw.at(raw.domain().0)?;
+        raw.translated(&start.scaled(&-T::one()))
+    }
+
+    /// The integral over the domain.
+    ///
+    /// # Errors
+    /// None for a valid spline.
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::{Function, SplineSpace};
+    /// let hat = Function::new(SplineSpace::clamped(1, [0.0, 1.0, 2.0])?, vec![0.0, 1.0, 0.0])?;
+    /// assert_eq!(hat.integral()?, 1.0);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    pub fn integral(&self) -> Result<C> {
+        let (a, b) = self.domain();
+        self.integral_between(a, b)
+    }
+
+    /// The integral from `x` to `y`; negative if `y < x`.
+    ///
+    /// # Errors
+    /// [`Error::OutsideDomain`].
+    pub fn integral_between(&self, x: &T, y: &T) -> Result<C> {
+        Ok(self.space().integral_between(x, y)?.apply(self.coeffs()))
+    }
+
+    /// The moment `∫ x^power f(x) dx` over the domain.
+    ///
+    /// # Errors
+    /// [`Error::DegreeTooHigh`].
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::{Function, SplineSpace};
+    /// let one = Function::constant(SplineSpace::bezier(0, 0.0, 2.0)?, 1.0)?;
+    /// assert_eq!(one.moment(1)?, 2.0);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    pub fn moment(&self, power: usize) -> Result<C> {
+        check_degree(self.degree().saturating_add(power))?;
+        let (a, b) = self.domain();
+        let monomial = Function::monomial(power, a.clone(), b.clone())?;
+        self.clamped_ends()?.times(&monomial)?.integral()
+    }
+}
+
+impl<T: Scalar> Function<T> {
+    /// The function `x^power` on `[a, b]`, a single polynomial.
+    ///
+    /// # Errors
+    /// [`Error::DegreeTooHigh`], [`Error::EmptyDomain`], [`Error::NotFinite`].
+    pub fn monomial(power: usize, a: T, b: T) -> Result<Self> {
+        let space = SplineSpace::bezier(power, a.clone(), b.clone())?;
+        // The polar form of x^power is the product of its arguments.
+        let blossom = |j: usize| {
+            let factors = std::iter::repeat_n(&a, power - j).chain(std::iter::repeat_n(&b, j));
+            factors.fold(T::one(), |product, x| product * x)
+        };
+        Spline::new(space, (0..=power).map(blossom).collect())
+    }
+}

@@ -1,0 +1,52 @@
+//! Affine changes of the parameter.
+
+use crate::coeff::Coeff;
+use crate::error::{Error, Result};
+use crate::scalar::Scalar;
+use crate::space::SplineSpace;
+use crate::spline::Spline;
+
+impl<T: Scalar> SplineSpace<T> {
+    /// The space on the domain `[start, end]`, its knots moved by the affine map between the domains.
+    ///
+    /// # Errors
+    /// [`Error::EmptyDomain`] unless `start < end`, [`Error::NotFinite`];
+    /// [`Error::Multiplicity`] if rounding makes distinct knots coincide.
+    pub fn reparametrised(&self, start: &T, end: &T) -> Result<Self> {
+        if !(start < end) {
+            return Err(Error::EmptyDomain { start: start.to_string(), end: end.to_string() });
+        }
+        let (a, b) = self.domain();
+        let (from, to) = (self.length(), end.clone() - start);
+        let moved = |t: &T| match () {
+            // The ends go to the ends without rounding.
+            () if t == a => start.clone(),
+            () if t == b => end.clone(),
+            () => start.clone() + (t.clone() - a) * &to / &from,
+        };
+        if self.is_periodic() {
+            let round: Vec<(T, usize)> = self.round().iter().map(|(t, m)| (moved(t), *m)).collect();
+            return Self::periodic_from_breaks(self.degree(), &round, to);
+        }
+        Self::new(self.degree(), self.knots().iter().map(moved))
+    }
+}
+
+impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
+    /// The same spline over the domain `[start, end]`: derivatives of order `d` are divided by the `d`-th power of
+    /// the ratio of lengths.
+    ///
+    /// # Errors
+    /// As [`SplineSpace::reparametrised`].
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::Function;
+    /// let line = Function::monomial(1, 0.0, 2.0)?.reparametrised(&0.0, &1.0)?;
+    /// assert_eq!(line.at(&0.5)?, 1.0);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    pub fn reparametrised(&self, start: &T, end: &T) -> Result<Self> {
+        Spline::new(self.space().reparametrised(start, end)?, self.coeffs().to_vec())
+    }
+}

@@ -1,0 +1,52 @@
+//! The same spline run through backwards.
+
+use crate::coeff::Coeff;
+use crate::error::Result;
+use crate::scalar::Scalar;
+use crate::space::SplineSpace;
+use crate::spline::Spline;
+
+impl<T: Scalar> SplineSpace<T> {
+    /// The space of the splines `x -> f(a + b - x)` on the same domain `[a, b]`.
+    ///
+    /// # Errors
+    /// [`Multiplicity`](crate::Error::Multiplicity) if rounding makes distinct knots coincide.
+    pub fn reversed(&self) -> Result<Self> {
+        let (a, b) = self.domain();
+        let mirror = |t: &T| match () {
+            // The ends change places without rounding.
+            () if t == a => b.clone(),
+            () if t == b => a.clone(),
+            () => a.clone() + b - t,
+        };
+        if self.is_periodic() {
+            let mut round: Vec<(T, usize)> =
+                self.breaks()[1..].iter().map(|(t, m)| (mirror(t), *m)).collect();
+            round.reverse();
+            return Self::periodic_from_breaks(self.degree(), &round, self.length());
+        }
+        Self::new(self.degree(), self.knots().iter().rev().map(mirror))
+    }
+}
+
+impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
+    /// The spline `x -> f(a + b - x)` on the same domain `[a, b]`; coefficients in reverse order.
+    ///
+    /// # Errors
+    /// As [`SplineSpace::reversed`].
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::Function;
+    /// let line = Function::monomial(1, 0.0, 2.0)?;
+    /// assert_eq!(line.reversed()?.coeffs(), [2.0, 0.0]);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    pub fn reversed(&self) -> Result<Self> {
+        let space = self.space();
+        // The last unrolled coefficient that reaches into the domain; in an open space the last.
+        let last = space.last_span();
+        let coeffs = (0..space.dim()).map(|i| self.coeff(last + space.dim() - i).clone()).collect();
+        Spline::new(space.reversed()?, coeffs)
+    }
+}

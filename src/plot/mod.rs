@@ -1,0 +1,46 @@
+//! Figures of curves and functions, as SVG and PNG.
+//!
+//! A [`Figure`] is a column of [`Panel`]s; a panel has two axes and series in data coordinates: Bézier paths,
+//! polylines, markers, combs, knots, texts. Ranges, ticks, margins and legends take care of themselves, and
+//! panels below each other may share their x axis ([`Panel::x_from_above`]). Curves stay curves: an SVG
+//! holds the cubics it was given, with coordinates in fractions of a pixel.
+//!
+//! Splines are unknown here; whoever draws one turns it into a [`BezPath`] or points first.
+//!
+//! # Examples
+//! ```
+//! use symspline::plot::{BezPath, Color, Figure, Marker, Panel, Style};
+//!
+//! let polygon = [(0.0, 0.0), (0.0, 4.0), (4.0, 4.0), (4.0, 0.0)];
+//! let mut curve = BezPath::new();
+//! curve.move_to(polygon[0]);
+//! curve.curve_to(polygon[1], polygon[2], polygon[3]);
+//!
+//! let plane = Panel::new()
+//!     .equal_axes()
+//!     .marked_polyline(polygon, Marker::Circle, Style::line(Color::GRAY).width(1.0))
+//!     .label("control polygon")
+//!     .path(curve, Style::line(Color::BLUE).width(2.0))
+//!     .label("cubic");
+//! let svg = Figure::new(640.0).title("A Bézier curve").panel(plane).to_svg()?;
+//! assert!(svg.starts_with("<svg") && svg.contains("C"));
+//! # Ok::<(), symspline::error::Error>(())
+//! ```
+
+mod style;
+mod svg;
+mod text;
+mod axis;
+mod series;
+mod panel;
+mod scale;
+mod header;
+mod layout;
+mod draw;
+mod png;
+mod figure;
+
+pub use figure::Figure;
+pub use kurbo::{BezPath, Point};
+pub use panel::Panel;
+pub use style::{Color, Dash, Marker, Style};

@@ -1,0 +1,90 @@
+//! The polar form on one span, the primitive under every operator.
+//!
+//! On a non-empty span `[t_k, t_{k+1}]` a spline `f` of degree `p` is a polynomial. Its polar form `F` is the one
+//! symmetric function of `p` arguments that is affine in each and has `F(x, ..., x) = f(x)`. Coefficients are polar
+//! values, `c_i = F(t_{i+1}, ..., t_{i+p})`, and so is everything else: a value takes all arguments at `x`, a
+//! coefficient of a finer space takes the knots of that space, a derivative takes directions for arguments.
+//!
+//! If the arguments contain the run `t_{lo+1}, ..., t_{hi}` of knots (`lo <= k <= hi`), then `q = p - (hi - lo)` are
+//! free, and the value is a combination of the `q + 1` coefficients `c_{hi-p}, ..., c_{lo}`. The weights follow by
+//! one step an argument, each over an interval `[t_i, t_j]` that contains the span: no denominator can vanish, and
+//! while the free arguments stay within `[t_lo, t_{hi+1}]` every step is a convex combination.
+
+use crate::scalar::Scalar;
+
+/// The weights of the polar value at the free arguments `arg(0), ..., arg(q - 1)` beside the run
+/// `t_{lo+1}, ..., t_{hi}`, on the coefficients from `hi - p`; there are `q + 1 = weights.len()` of them.
+///
+/// With `lo = hi = k` and all arguments at `x` these are the basis functions of degree `q` at `x`.
+#[inline(always)]
+pub(crate) fn blossom<'a, T: Scalar>(
+    t: &[T],
+    lo: usize,
+    hi: usize,
+    arg: impl Fn(usize) -> &'a T,
+    weights: &mut [T],
+) {
+    weights[0] = T::one();
+    for r in 1..weights.len() {
+        let x = arg(r - 1);
+        let (below, above) = (&t[lo + 1 - r..lo + 1], &t[hi + 1..hi + 1 + r]);
+        let mut saved = T::zero();
+        for ((w, left), right) in weights.iter_mut().zip(below).zip(above) {
+            let share = std::mem::replace(w, saved) / (right.clone() - left);
+            *w += (right.clone() - x) * &share;
+            saved = (x.clone() - left) * share;
+        }
+        weights[r] = saved;
+    }
+}
+
+/// One further argument that is a direction: `weights`, of a polar form with `r` arguments around the knot run
+/// `t_{lo+1}, ..., t_{hi}`, become those of `r + 1` arguments, the last of them the unit direction.
+pub(crate) fn differentiate<T: Scalar>(t: &[T], lo: usize, hi: usize, weights: &mut Vec<T>) {
+    let r = weights.len();
+    let (below, above) = (&t[lo + 1 - r..lo + 1], &t[hi + 1..hi + 1 + r]);
+    let mut saved = T::zero();
+    for ((w, left), right) in weights.iter_mut().zip(below).zip(above) {
+        let share = std::mem::replace(w, saved) / (right.clone() - left);
+        *w -= &share;
+        saved = share;
+    }
+    weights.push(saved);
+}
+
+/// Takes from the sorted arguments the longest run of knots around span `k`: returns `(lo, hi)` of the run and
+/// leaves the other arguments in `free`.
+pub(crate) fn take_run<'a, T: Scalar>(
+    t: &[T],
+    k: usize,
+    args: &[&'a T],
+    free: &mut Vec<&'a T>,
+) -> (usize, usize) {
+    free.clear();
+    let middle = args.partition_point(|x| **x <= t[k]);
+    let (mut lo, mut rest) = (k, &args[..middle]);
+    while let Some((x, before)) = rest.split_last() {
+        if **x == t[lo] {
+            lo -= 1;
+        } else if **x > t[lo] {
+            free.push(x);
+        } else {
+            break;
+        }
+        rest = before;
+    }
+    free.extend_from_slice(rest);
+    let (mut hi, mut rest) = (k, &args[middle..]);
+    while let Some((x, after)) = rest.split_first() {
+        if **x == t[hi + 1] {
+            hi += 1;
+        } else if **x < t[hi + 1] {
+            free.push(x);
+        } else {
+            break;
+        }
+        rest = after;
+    }
+    free.extend_from_slice(rest);
+    (lo, hi)
+}

@@ -1,0 +1,118 @@
+//! The numbers that knots, weights and coefficients are made of.
+//!
+//! Every operator of the library is written once over a [`Scalar`], an ordered field. The two fields that come
+//! with it are `f64` and the exact rationals [`Q`](crate::exact::Q); a dual number or a field of fractions serves as
+//! well. What needs square roots or angles asks for a [`Real`].
+
+use num_traits::{One, Zero};
+use std::fmt::Display;
+use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+
+/// An ordered field.
+///
+/// Arithmetic takes its right operand by value or by reference, so that generic text reads
+/// `a.clone() + &b` and never copies a big number twice.
+///
+/// # Examples
+/// ```
+/// use symspline::{Q, Scalar};
+/// fn mean<T: Scalar>(a: &T, b: &T) -> T {
+///     (a.clone() + b) / T::int(2)
+/// }
+/// assert_eq!(mean(&1.0, &2.0), 1.5);
+/// assert_eq!(mean(&Q::frac(1, 3), &Q::int(1)), Q::frac(2, 3));
+/// ```
+pub trait Scalar:
+    nalgebra::Scalar
+    + PartialOrd
+    + Display
+    + Send
+    + Sync
+    + Zero
+    + One
+    + Neg<Output = Self>
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + for<'a> Add<&'a Self, Output = Self>
+    + for<'a> Sub<&'a Self, Output = Self>
+    + for<'a> Mul<&'a Self, Output = Self>
+    + for<'a> Div<&'a Self, Output = Self>
+    + AddAssign
+    + SubAssign
+    + MulAssign
+    + DivAssign
+    + for<'a> AddAssign<&'a Self>
+    + for<'a> SubAssign<&'a Self>
+    + for<'a> MulAssign<&'a Self>
+    + for<'a> DivAssign<&'a Self>
+{
+    /// Whether arithmetic is exact. Kernels use it to choose between the stable and the cheap of two equal ways.
+    const EXACT: bool;
+
+    /// The integer `n`, rounded to nearest where the field cannot hold it.
+    fn int(n: i64) -> Self;
+
+    /// The fraction `p / q`.
+    ///
+    /// # Panics
+    /// If `q` is zero and the field has no infinities.
+    fn frac(p: i64, q: i64) -> Self {
+        Self::int(p) / Self::int(q)
+    }
+
+    /// Whether this is a number at all: false for the infinities and NaN of floating point.
+    fn is_finite(&self) -> bool {
+        true
+    }
+
+    /// The absolute value.
+    fn magnitude(&self) -> Self {
+        if *self < Self::zero() { -self.clone() } else { self.clone() }
+    }
+
+    /// The sum of products `Σ a b`, the hook by which an exact field may reduce a whole row once.
+    fn dot<'a>(pairs: impl Iterator<Item = (&'a Self, &'a Self)>) -> Self {
+        pairs.fold(Self::zero(), |sum, (a, b)| sum + a.clone() * b)
+    }
+}
+
+/// A [`Scalar`] with square roots and angles.
+pub trait Real: Scalar {
+    /// The non-negative square root.
+    fn sqrt(&self) -> Self;
+    /// The nearest `f64`, for pictures and reports.
+    fn to_f64(&self) -> f64;
+}
+
+impl Scalar for f64 {
+    const EXACT: bool = false;
+
+    #[inline]
+    fn int(n: i64) -> Self {
+        n as f64
+    }
+
+    #[inline]
+    fn is_finite(&self) -> bool {
+        f64::is_finite(*self)
+    }
+
+    #[inline]
+    fn magnitude(&self) -> Self {
+        self.abs()
+    }
+}
+
+impl Real for f64 {
+    #[inline]
+    fn sqrt(&self) -> Self {
+        f64::sqrt(*self)
+    }
+
+    #[inline]
+    fn to_f64(&self) -> f64 {
+        *self
+    }
+}

@@ -1,0 +1,388 @@
+//! Spline spaces: a degree, knots, and how the ends meet.
+//!
+//! ```text
+//! open      t_0 <= ... <= t_{n+p+1}, coefficients c_0 ... c_n, domain [t_p, t_{n+1}]
+//! periodic  the same with t_{i+m} = t_i + period and c_{i+m} = c_i: m coefficients
+//! ```
+//!
+//! A periodic space stores its knots unrolled, as an open one with the last `p` coefficients wrapped. So one text
+//! walks the spans of both, and only [`SplineSpace::slot`] knows which coefficients coincide.
+
+use crate::error::{Error, Result};
+use crate::knots::KnotVector;
+use crate::scalar::Scalar;
+
+/// The highest degree a space may have.
+pub const MAX_DEGREE: usize = 512;
+
+/// The largest number of coefficients a space may have.
+pub const MAX_DIM: usize = 1 << 30;
+
+/// The splines of one degree over one knot vector.
+///
+/// A value: spaces are compared, elevated, united and multiplied without any spline at hand. Cloning shares the
+/// knots.
+///
+/// - The domain is `[t_p, t_{n+1}]`, clamped or not.
+/// - A knot inside may have up to `p + 1` copies; `p + 1` is a jump. A knot at an end has at most `p + 1`.
+/// - Every coefficient matters: `t_p < t_{p+1}` and `t_n < t_{n+1}`.
+///
+/// # Examples
+/// ```
+/// use symspline::SplineSpace;
+/// let cubic = SplineSpace::clamped(3, [0.0, 1.0, 2.0, 4.0])?;
+/// assert_eq!((cubic.degree(), cubic.dim()), (3, 6));
+/// assert_eq!(cubic.domain(), (&0.0, &4.0));
+/// let ring = SplineSpace::periodic(2, [0.0, 1.0, 2.0], 4.0)?;
+/// assert_eq!(ring.dim(), 3);
+/// # Ok::<(), symspline::Error>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct SplineSpace<T> {
+    degree: usize,
+    knots: KnotVector<T>,
+    dim: usize,
+    periodic: bool,
+}
+
+/// The parts of an open space: what its knots are left of, inside, and right of the domain.
+pub(crate) struct Parts<T> {
+    /// The `degree + 1` knots that end with the start of the domain.
+    pub left: Vec<T>,
+    /// The knots strictly inside the domain.
+    pub inner: Vec<(T, usize)>,
+    /// The `degree + 1` knots that start with the end of the domain.
+    pub right: Vec<T>,
+}
+
+impl<T: Scalar> SplineSpace<T> {
+    /// The open space over a full knot vector, `n + p + 2` knots for `n + 1` coefficients.
+    ///
+    /// # Errors
+    /// [`Error::DegreeTooHigh`], [`Error::NotFinite`], [`Error::KnotsDecrease`], [`Error::TooFewKnots`],
+    /// [`Error::EmptyDomain`], [`Error::Multiplicity`], and [`Error::UnusedCoefficient`] if the first or last
+    /// coefficient would have no influence on the domain.
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::{Error, SplineSpace};
+    /// let unclamped = SplineSpace::new(2, [0.0, 1.0, 2.0, 3.0, 4.0, 5.0])?;
+    /// assert_eq!(unclamped.domain(), (&2.0, &3.0));
+    /// let torn = SplineSpace::new(1, [0.0, 0.0, 1.0, 1.0, 1.0, 2.0, 2.0]);
+    /// assert!(matches!(torn, Err(Error::Multiplicity { multiplicity: 3, limit: 2, .. })));
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn new(degree: usize, knots: impl IntoIterator<Item = T>) -> Result<Self> {
+        check_degree(degree)?;
+        Self::over(degree, KnotVector::new(knots)?)
+    }
+
+    /// The open space over a knot vector at hand.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub fn over(degree: usize, knots: KnotVector<T>) -> Result<Self> {
+        check_degree(degree)?;
+        if knots.len() < 2 * degree + 2 {
+            return Err(Error::TooFewKnots { expected: 2 * degree + 2, found: knots.len() });
+        }
+        let dim = knots.len() - degree - 1;
+        check_dim(dim)?;
+        let space = Self { degree, knots, dim, periodic: false };
+        space.check_multiplicities()?;
+        let t = space.knots();
+        if t[degree] == t[degree + 1] {
+            return Err(Error::UnusedCoefficient { index: 0 });
+        }
+        if t[dim - 1] == t[dim] {
+            return Err(Error::UnusedCoefficient { index: dim - 1 });
+        }
+        Ok(space)
+    }
+
+    /// The open space with clamped ends over `breaks`: the two ends once, the knots inside as often as they count.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new), and [`Error::TooFewKnots`] for less than two breaks.
+    pub fn clamped(degree: usize, breaks: impl IntoIterator<Item = T>) -> Result<Self> {
+        check_degree(degree)?;
+        let breaks = KnotVector::new(breaks)?;
+        let (Some(a), Some(b), true) = (breaks.first(), breaks.last(), breaks.len() > 1) else {
+            return Err(Error::TooFewKnots { expected: 2, found: breaks.len() });
+        };
+        let end = |t: &T| std::iter::repeat_n(t.clone(), degree);
+        Self::new(degree, end(a).chain(breaks.iter().cloned()).chain(end(b)))
+    }
+
+    /// The polynomials of `degree` on `[a, b]`: one span, clamped.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub fn bezier(degree: usize, a: T, b: T) -> Result<Self> {
+        Self::clamped(degree, [a, b])
+    }
+
+    /// The clamped space with `spans` equal spans on `[a, b]`.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new); [`Error::TooLarge`] for more than [`MAX_DIM`] spans.
+    pub fn uniform(degree: usize, spans: usize, a: T, b: T) -> Result<Self> {
+        check_dim(spans)?;
+        let step = |i: usize| {
+            let s = T::frac(i as i64, spans.max(1) as i64);
+            if i == spans { b.clone() } else { a.clone() + (b.clone() - &a) * s }
+        };
+        Self::clamped(degree, (0..=spans).map(step))
+    }
+
+    /// The periodic space whose `knots` run once round from the seam, the seam itself at the start only:
+    /// `knots[0] <= ... <= knots[m - 1] < knots[0] + period`. It has `m` coefficients.
+    ///
+    /// The domain is `[knots[0], knots[0] + period]`; coefficient `i` is the one with support from knot `t_i` of
+    /// [`knots`](Self::knots), where `t_p` is the last copy of the seam.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new); [`Error::EmptyDomain`] if a knot lies a period or more after the first.
+    pub fn periodic(degree: usize, knots: impl IntoIterator<Item = T>, period: T) -> Result<Self> {
+        check_degree(degree)?;
+        let round = KnotVector::new(knots)?;
+        let m = round.len();
+        let (Some(a), Some(last)) = (round.first(), round.last()) else {
+            return Err(Error::TooFewKnots { expected: 1, found: 0 });
+        };
+        check_dim(m)?;
+        let end = a.clone() + &period;
+        if !end.is_finite() || *last >= end || *a >= end {
+            return Err(Error::EmptyDomain { start: a.to_string(), end: end.to_string() });
+        }
+        let seam = round.iter().take_while(|t| *t == a).count();
+        if seam > degree + 1 {
+            return Err(Error::Multiplicity { knot: a.to_string(), multiplicity: seam, limit: degree + 1 });
+        }
+        // Unrolled index j stands `shift` knots before the seam's first copy.
+        let shift = (degree + 1 - seam) as i64;
+        let unrolled = (0..(m + 2 * degree + 1) as i64).map(|j| {
+            let (turns, i) = ((j - shift).div_euclid(m as i64), (j - shift).rem_euclid(m as i64));
+            match turns {
+                0 => round[i as usize].clone(),
+                _ => round[i as usize].clone() + period.clone() * T::int(turns),
+            }
+        });
+        let space = Self { degree, knots: KnotVector::new(unrolled)?, dim: m, periodic: true };
+        space.check_multiplicities()?;
+        Ok(space)
+    }
+
+    fn check_multiplicities(&self) -> Result<()> {
+        let (a, b) = self.domain();
+        if a >= b {
+            return Err(Error::EmptyDomain { start: a.to_string(), end: b.to_string() });
+        }
+        let limit = self.degree + 1;
+        match self.knots.chunk_by(T::eq).find(|copies| copies.len() > limit) {
+            Some(copies) => {
+                Err(Error::Multiplicity { knot: copies[0].to_string(), multiplicity: copies.len(), limit })
+            }
+            None => Ok(()),
+        }
+    }
+
+    /// The degree.
+    #[inline]
+    pub fn degree(&self) -> usize {
+        self.degree
+    }
+
+    /// The full knot vector; of a periodic space unrolled, `m + 2p + 1` knots for `m` coefficients.
+    #[inline]
+    pub fn knots(&self) -> &KnotVector<T> {
+        &self.knots
+    }
+
+    /// The number of coefficients.
+    #[inline]
+    pub fn dim(&self) -> usize {
+        self.dim
+    }
+
+    /// The number of coefficients before any coincide; greater than [`dim`](Self::dim) only in periodic spaces.
+    #[inline]
+    pub(crate) fn unrolled_dim(&self) -> usize {
+        self.knots.len() - self.degree - 1
+    }
+
+    /// Where coefficient `i` of the unrolled space is stored.
+    #[inline]
+    pub fn slot(&self, i: usize) -> usize {
+        if i < self.dim { i } else { i % self.dim }
+    }
+
+    /// Whether the ends are joined.
+    #[inline]
+    pub fn is_periodic(&self) -> bool {
+        self.periodic
+    }
+
+    /// Whether both ends carry `p + 1` knots, so that the first and last coefficient are the end values.
+    pub fn is_clamped(&self) -> bool {
+        let (t, last) = (self.knots(), self.unrolled_dim());
+        !self.is_periodic() && t[0] == t[self.degree] && t[last] == t[last + self.degree]
+    }
+
+    /// Start and end of the domain.
+    #[inline]
+    pub fn domain(&self) -> (&T, &T) {
+        (&self.knots[self.degree], &self.knots[self.unrolled_dim()])
+    }
+
+    /// The length of the domain.
+    pub(crate) fn length(&self) -> T {
+        let (a, b) = self.domain();
+        b.clone() - a
+    }
+
+    /// The indices `k` of the non-empty spans `[t_k, t_{k+1}]` of the domain, in order.
+    pub fn spans(&self) -> impl Iterator<Item = usize> + '_ {
+        (self.degree..self.unrolled_dim()).filter(|&k| self.knots[k] < self.knots[k + 1])
+    }
+
+    /// The distinct knots of the domain with their multiplicities, both ends included.
+    ///
+    /// At the ends all copies count, outside the domain too; in a periodic space both ends show the seam's.
+    pub fn breaks(&self) -> Vec<(T, usize)> {
+        let (a, b) = self.domain();
+        let inside = |copies: &&[T]| *a <= copies[0] && copies[0] <= *b;
+        let chunks = self.knots.chunk_by(T::eq).filter(inside);
+        chunks.map(|copies| (copies[0].clone(), copies.len())).collect()
+    }
+
+    /// The Greville abscissae `(t_{i+1} + ... + t_{i+p}) / p`: the coefficients of the function `x` (of degree 0:
+    /// the middles of the spans).
+    ///
+    /// In a periodic space they are those of the unrolled coefficients `0 .. m`, and may lie left of the domain.
+    pub fn greville(&self) -> Vec<T> {
+        let t = self.knots();
+        let mean = |i: usize| match self.degree {
+            0 => (t[i].clone() + &t[i + 1]) / T::int(2),
+            p => t[i + 1..=i + p].iter().fold(T::zero(), |sum, t| sum + t) / T::int(p as i64),
+        };
+        (0..self.dim).map(mean).collect()
+    }
+
+    /// The index `k` of the span that holds `x` in `[t_k, t_{k+1})`; the last span also holds its end.
+    ///
+    /// # Errors
+    /// [`Error::OutsideDomain`], also for NaN.
+    #[inline]
+    pub fn locate(&self, x: &T) -> Result<usize> {
+        let (a, b) = self.domain();
+        if !(x >= a && x <= b) {
+            return Err(self.outside(x));
+        }
+        if x == b {
+            return Ok(self.last_span());
+        }
+        let candidates = &self.knots[self.degree..=self.unrolled_dim()];
+        Ok(self.degree + candidates.partition_point(|t| t <= x) - 1)
+    }
+
+    /// The index `k` of the span that holds `x` in `(t_k, t_{k+1}]`; the first span also holds its start.
+    ///
+    /// # Errors
+    /// [`Error::OutsideDomain`], also for NaN.
+    pub fn locate_left(&self, x: &T) -> Result<usize> {
+        let (a, b) = self.domain();
+        if !(x >= a && x <= b) {
+            return Err(self.outside(x));
+        }
+        let candidates = &self.knots[self.degree + 1..=self.unrolled_dim()];
+        Ok(self.degree + candidates.partition_point(|t| t < x))
+    }
+
+    /// The last non-empty span.
+    #[inline]
+    pub(crate) fn last_span(&self) -> usize {
+        let (t, end) = (self.knots(), self.unrolled_dim());
+        let mut k = end - 1;
+        while t[k] == t[end] {
+            k -= 1;
+        }
+        k
+    }
+
+    #[cold]
+    fn outside(&self, x: &T) -> Error {
+        let (a, b) = self.domain();
+        Error::OutsideDomain { parameter: x.to_string(), start: a.to_string(), end: b.to_string() }
+    }
+
+    /// The same space over another field.
+    ///
+    /// # Errors
+    /// The first error of `convert`, and those of [`new`](Self::new) if the converted knots do not serve.
+    pub fn map_scalars<U: Scalar>(&self, mut convert: impl FnMut(&T) -> Result<U>) -> Result<SplineSpace<U>> {
+        if self.periodic {
+            let (a, b) = self.domain();
+            let period = convert(b)? - convert(a)?;
+            let round = self.breaks_round().map(&mut convert).collect::<Result<Vec<U>>>()?;
+            return SplineSpace::periodic(self.degree, round, period);
+        }
+        SplineSpace::new(self.degree, self.knots.iter().map(convert).collect::<Result<Vec<U>>>()?)
+    }
+
+    /// The knots of one period, from the first copy of the seam.
+    fn breaks_round(&self) -> impl Iterator<Item = &T> {
+        let first = self.last_span() + 1 - self.dim;
+        self.knots[first..first + self.dim].iter()
+    }
+
+    /// Checks that a spline of this space and one of `other` have the same domain.
+    pub(crate) fn check_same_domain(&self, other: &Self) -> Result<()> {
+        if self.domain() == other.domain() {
+            return Ok(());
+        }
+        let text = |(a, b): (&T, &T)| format!("[{a}, {b}]");
+        Err(Error::DomainMismatch { left: text(self.domain()), right: text(other.domain()) })
+    }
+
+    /// The parts of an open space; a periodic one is taken as the open space over its unrolled knots.
+    pub(crate) fn parts(&self) -> Parts<T> {
+        let t = self.knots();
+        let first_copy_of_end = self.last_span() + 1;
+        let inner = t[self.degree + 1..first_copy_of_end].chunk_by(T::eq);
+        Parts {
+            left: t[..=self.degree].to_vec(),
+            inner: inner.map(|copies| (copies[0].clone(), copies.len())).collect(),
+            right: t[first_copy_of_end..=first_copy_of_end + self.degree].to_vec(),
+        }
+    }
+
+    /// The open space of `degree` with these parts.
+    pub(crate) fn from_parts(degree: usize, parts: Parts<T>) -> Result<Self> {
+        let Parts { left, inner, right } = parts;
+        let copies = inner.into_iter().flat_map(|(t, count)| std::iter::repeat_n(t, count));
+        Self::new(degree, left.into_iter().chain(copies).chain(right))
+    }
+
+    /// The periodic space of `degree` with these distinct knots and multiplicities, the seam at the start only.
+    pub(crate) fn periodic_from_breaks(degree: usize, round: &[(T, usize)], period: T) -> Result<Self> {
+        let copies = round.iter().flat_map(|(t, count)| std::iter::repeat_n(t.clone(), *count));
+        Self::periodic(degree, copies, period)
+    }
+}
+
+/// Refuses degrees beyond [`MAX_DEGREE`].
+pub(crate) fn check_degree(degree: usize) -> Result<()> {
+    match degree {
+        0..=MAX_DEGREE => Ok(()),
+        _ => Err(Error::DegreeTooHigh { degree, limit: MAX_DEGREE }),
+    }
+}
+
+/// Refuses numbers of coefficients beyond [`MAX_DIM`].
+pub(crate) fn check_dim(dim: usize) -> Result<()> {
+    match dim {
+        0..=MAX_DIM => Ok(()),
+        _ => Err(Error::TooLarge { count: dim, limit: MAX_DIM }),
+    }
+}

@@ -1,0 +1,250 @@
+//! Splines: coefficients in a space.
+
+use crate::coeff::Coeff;
+use crate::error::{Error, Result};
+use crate::functional::weigh;
+use crate::polar::blossom;
+use crate::scalar::Scalar;
+use crate::space::{SplineSpace, check_degree};
+use nalgebra::SVector;
+
+/// A spline `f(x) = Σ c_i N_i(x)` with coefficients `c_i` of any kind.
+///
+/// - A parameter outside the domain is an error, one rounding outside too.
+/// - Values are right limits inside the domain and the left limit at its end; [`at_left`](Self::at_left) gives the
+///   other side of a jump.
+/// - Two splines are equal (`==`) if space and coefficients are; [`same_function`](Self::same_function) compares
+///   what they describe.
+///
+/// # Examples
+/// ```
+/// use nalgebra::vector;
+/// use symspline::{Curve, SplineSpace};
+/// let space = SplineSpace::clamped(2, [0.0, 1.0, 2.0])?;
+/// let curve = Curve::new(space, vec![vector![0.0, 0.0], vector![1.0, 2.0], vector![3.0, 2.0], vector![4.0, 0.0]])?;
+/// assert_eq!(curve.at(&1.0)?, vector![2.0, 2.0]);
+/// # Ok::<(), symspline::Error>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Spline<T, C = T> {
+    space: SplineSpace<T>,
+    coeffs: Vec<C>,
+}
+
+/// A scalar spline.
+pub type Function<T> = Spline<T, T>;
+
+/// A spline curve in `N` dimensions.
+pub type Curve<T, const N: usize> = Spline<T, SVector<T, N>>;
+
+impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
+    /// The spline with `coeffs` in `space`.
+    ///
+    /// # Errors
+    /// [`Error::CoefficientCount`], [`Error::NotFinite`].
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::{Error, Function, SplineSpace};
+    /// let space = SplineSpace::bezier(1, 0.0, 1.0)?;
+    /// let wrong = Function::new(space, vec![1.0]);
+    /// assert_eq!(wrong.unwrap_err(), Error::CoefficientCount { expected: 2, found: 1 });
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn new(space: SplineSpace<T>, coeffs: Vec<C>) -> Result<Self> {
+        if coeffs.len() != space.dim() {
+            return Err(Error::CoefficientCount { expected: space.dim(), found: coeffs.len() });
+        }
+        match coeffs.iter().position(|c| !c.is_finite()) {
+            Some(index) => Err(Error::NotFinite { what: "coefficient", index }),
+            None => Ok(Self { space, coeffs }),
+        }
+    }
+
+    /// The spline that has the value `value` all over `space`.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`].
+    pub fn constant(space: SplineSpace<T>, value: C) -> Result<Self> {
+        let coeffs = vec![value; space.dim()];
+        Self::new(space, coeffs)
+    }
+
+    /// The space.
+    #[inline]
+    pub fn space(&self) -> &SplineSpace<T> {
+        &self.space
+    }
+
+    /// The degree.
+    #[inline]
+    pub fn degree(&self) -> usize {
+        self.space.degree()
+    }
+
+    /// Start and end of the domain.
+    #[inline]
+    pub fn domain(&self) -> (&T, &T) {
+        self.space.domain()
+    }
+
+    /// The coefficients, of a curve its control points.
+    #[inline]
+    pub fn coeffs(&self) -> &[C] {
+        &self.coeffs
+    }
+
+    /// The coefficients, moved out.
+    pub fn into_coeffs(self) -> Vec<C> {
+        self.coeffs
+    }
+
+    /// Coefficient `i` of the unrolled space.
+    pub(crate) fn coeff(&self, i: usize) -> &C {
+        &self.coeffs[self.space.slot(i)]
+    }
+
+    /// The value at `x`: the right limit, at the end of the domain the left one.
+    ///
+    /// # Errors
+    /// [`Error::OutsideDomain`].
+    #[inline]
+    pub fn at(&self, x: &T) -> Result<C> {
+        Ok(self.on_span(self.space.locate(x)?, x))
+    }
+
+    /// The left limit at `x`; at the start of an open domain the right one, at the seam the one from the far end.
+    ///
+    /// # Errors
+    /// [`Error::OutsideDomain`].
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::{Function, SplineSpace};
+    /// let step = Function::new(SplineSpace::clamped(0, [0.0, 1.0, 2.0])?, vec![3.0, 5.0])?;
+    /// assert_eq!((step.at_left(&1.0)?, step.at(&1.0)?), (3.0, 5.0));
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    pub fn at_left(&self, x: &T) -> Result<C> {
+        let (a, b) = self.domain();
+        let x = if self.space.is_periodic() && x == a { b } else { x };
+        Ok(self.on_span(self.space.locate_left(x)?, x))
+    }
+
+    /// The values at many parameters in any order; runs of parameters in one span share its preparation, so
+    /// sorted parameters are fastest.
+    ///
+    /// # Errors
+    /// [`Error::OutsideDomain`].
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::{Function, SplineSpace};
+    /// let identity = Function::new(SplineSpace::bezier(1, 0.0, 1.0)?, vec![0.0, 1.0])?;
+    /// assert_eq!(identity.eval(&[0.0, 0.25, 1.0])?, [0.0, 0.25, 1.0]);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    pub fn eval(&self, parameters: &[T]) -> Result<Vec<C>> {
+        let mut values = Vec::with_capacity(parameters.len());
+        self.for_each_value(parameters, |value| values.push(value))?;
+        Ok(values)
+    }
+
+    /// As [`eval`](Self::eval), into memory at hand. On an error `values` may be partly overwritten.
+    ///
+    /// # Errors
+    /// [`Error::OutsideDomain`]; [`Error::CoefficientCount`] if the lengths differ.
+    pub fn eval_into(&self, parameters: &[T], values: &mut [C]) -> Result<()> {
+        if parameters.len() != values.len() {
+            return Err(Error::CoefficientCount { expected: parameters.len(), found: values.len() });
+        }
+        let mut places = values.iter_mut();
+        self.for_each_value(parameters, |value| *places.next().expect("one place a parameter") = value)
+    }
+
+    /// Value and derivatives of orders `0 ..= order` at `x`, from the right; beyond the degree they are zero.
+    ///
+    /// # Errors
+    /// [`Error::OutsideDomain`], [`Error::DegreeTooHigh`].
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::{Function, SplineSpace};
+    /// let square = Function::new(SplineSpace::bezier(2, 0.0, 1.0)?, vec![0.0, 0.0, 1.0])?;
+    /// assert_eq!(square.derivatives_at(&0.5, 3)?, [0.25, 1.0, 2.0, 0.0]);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    pub fn derivatives_at(&self, x: &T, order: usize) -> Result<Vec<C>> {
+        check_degree(order)?;
+        let k = self.space.locate(x)?;
+        Ok((0..=order).map(|d| self.space.derivative_on(k, x, d).apply(&self.coeffs)).collect())
+    }
+
+    /// The derivative of order `order` at `x`, from the right.
+    ///
+    /// # Errors
+    /// [`Error::OutsideDomain`], [`Error::DegreeTooHigh`].
+    pub fn derivative_at(&self, x: &T, order: usize) -> Result<C> {
+        check_degree(order)?;
+        Ok(self.space.derivative_on(self.space.locate(x)?, x, order).apply(&self.coeffs))
+    }
+
+    /// The value at `x` of the polynomial of span `k`.
+    #[inline]
+    pub(crate) fn on_span(&self, k: usize, x: &T) -> C {
+        match self.degree() {
+            0 => self.coeff(k).clone(),
+            1 => self.on_span_of_order::<2>(k, x),
+            2 => self.on_span_of_order::<3>(k, x),
+            3 => self.on_span_of_order::<4>(k, x),
+            4 => self.on_span_of_order::<5>(k, x),
+            5 => self.on_span_of_order::<6>(k, x),
+            _ => self.space.basis_on(k, x).apply(&self.coeffs),
+        }
+    }
+
+    /// [`on_span`](Self::on_span) for `ORDER = p + 1` known to the compiler: nothing is allocated.
+    #[inline]
+    fn on_span_of_order<const ORDER: usize>(&self, k: usize, x: &T) -> C {
+        let mut weights: [T; ORDER] = std::array::from_fn(|_| T::zero());
+        blossom(self.space.knots(), k, k, |_| x, &mut weights);
+        weigh(k + 1 - ORDER, &weights, &self.coeffs)
+    }
+
+    /// Calls `take` with the value at each parameter in turn.
+    fn for_each_value(&self, parameters: &[T], mut take: impl FnMut(C)) -> Result<()> {
+        let t = self.space.knots();
+        let mut span: Option<usize> = None;
+        for x in parameters {
+            let k = match span {
+                Some(k) if t[k] <= *x && *x < t[k + 1] => k,
+                _ => self.space.locate(x)?,
+            };
+            span = Some(k);
+            take(self.on_span(k, x));
+        }
+        Ok(())
+    }
+
+    /// The same spline over another field: `knot` converts knots, `component` the scalars of the coefficients.
+    ///
+    /// # Errors
+    /// The first error of either conversion, and those of [`SplineSpace::new`] if the converted knots do not serve.
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::{Function, Q, Scalar, SplineSpace};
+    /// let f = Function::new(SplineSpace::bezier(1, 0.0, 0.1)?, vec![0.5, 2.0])?;
+    /// let exact = f.map_scalars(|&x| Q::try_from(x))?;
+    /// assert_eq!(exact.at(&Q::int(0))?, Q::frac(1, 2));
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    pub fn map_scalars<U: Scalar>(
+        &self,
+        mut convert: impl FnMut(&T) -> Result<U>,
+    ) -> Result<Spline<U, C::Over<U>>> {
+        let space = self.space.map_scalars(&mut convert)?;
+        let coeffs = self.coeffs.iter().map(|c| c.try_map(&mut convert)).collect::<Result<_>>()?;
+        Spline::new(space, coeffs)
+    }
+}
