@@ -11,6 +11,7 @@ use crate::linalg::BandedSystem;
 use crate::scalar::Scalar;
 use crate::space::SplineSpace;
 use crate::spline::Spline;
+use std::cmp::Ordering;
 
 /// What least squares do with the first and last point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -128,7 +129,7 @@ fn check_data<T: Scalar, C: Coeff<T>>(space: &SplineSpace<T>, parameters: &[T], 
     if let Some(index) = data.iter().position(|value| !value.is_finite()) {
         return Err(Error::NotFinite { what: "point", index });
     }
-    match parameters.windows(2).position(|pair| !(pair[0] <= pair[1])) {
+    match parameters.windows(2).position(|pair| pair[0].partial_cmp(&pair[1]).is_none_or(Ordering::is_gt)) {
         Some(before) => Err(Error::ParametersDecrease { index: before + 1 }),
         None => Ok(()),
     }

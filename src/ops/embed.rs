@@ -166,7 +166,7 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     /// ```
     /// use symspline::{Function, SplineSpace};
     /// let line = Function::new(SplineSpace::bezier(1, 0.0, 1.0)?, vec![1.0, 4.0])?;
-    /// assert_eq!(line.elevated(2)?.coeffs(), [1.0, 2.0, 3.0, 4.0]);
+    /// assert_eq!(line.elevated(1)?.coeffs(), [1.0, 2.5, 4.0]);
     /// # Ok::<(), symspline::Error>(())
     /// ```
     pub fn elevated(&self, raise: usize) -> Result<Self> {

@@ -5,6 +5,7 @@ use crate::error::{Error, Result};
 use crate::scalar::Scalar;
 use crate::space::SplineSpace;
 use crate::spline::Spline;
+use std::cmp::Ordering;
 
 impl<T: Scalar> SplineSpace<T> {
     /// The space on the domain `[start, end]`, its knots moved by the affine map between the domains.
@@ -13,7 +14,7 @@ impl<T: Scalar> SplineSpace<T> {
     /// [`Error::EmptyDomain`] unless `start < end`, [`Error::NotFinite`];
     /// [`Error::Multiplicity`] if rounding makes distinct knots coincide.
     pub fn reparametrised(&self, start: &T, end: &T) -> Result<Self> {
-        if !(start < end) {
+        if start.partial_cmp(end) != Some(Ordering::Less) {
             return Err(Error::EmptyDomain { start: start.to_string(), end: end.to_string() });
         }
         let (a, b) = self.domain();
