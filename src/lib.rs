@@ -5,6 +5,7 @@ pub mod error;
 pub mod scalar;
 pub mod exact;
 pub mod coeff;
+mod vector;
 mod linalg;
 pub mod functional;
 pub mod map;

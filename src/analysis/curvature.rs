@@ -4,12 +4,11 @@
 //! κ = C' × C'' / |C'|³        (in space |C' × C''|)          [Miura] (2)
 //! ```
 
-use crate::build::parameters::length;
 use crate::coeff::Coeff;
 use crate::error::{Error, Result};
-use crate::ops::product::{cross2, cross3};
 use crate::scalar::Real;
 use crate::spline::{Curve, Spline};
+use crate::vector::{cross2, cross3, length};
 use nalgebra::SVector;
 
 /// Points whose curves have a curvature: those of the plane and of space.

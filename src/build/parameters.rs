@@ -3,6 +3,7 @@
 use crate::error::{Error, Result};
 use crate::scalar::{Real, Scalar};
 use crate::space::{SplineSpace, check_degree};
+use crate::vector::length;
 use nalgebra::SVector;
 
 /// Parameters from 0 to 1 that advance like the lengths of the polygon's legs [NURBS] 9.5.
@@ -37,11 +38,6 @@ pub fn chord_length<T: Real, const N: usize>(points: &[SVector<T, N>]) -> Result
     }
     sums.iter_mut().for_each(|sum| *sum /= &total);
     Ok(sums)
-}
-
-/// The Euclidean length of a vector.
-pub(crate) fn length<T: Real, const N: usize>(vector: &SVector<T, N>) -> T {
-    T::dot(vector.iter().zip(vector.iter())).sqrt()
 }
 
 /// The clamped space for interpolation at `parameters`, with as many coefficients: each knot inside is the mean of

@@ -11,12 +11,11 @@
 //! points, 1 to hold the tangents too, 2 to hold the curvatures too ([Miura] 2.1). In the plane `Z` is a complex
 //! factor, hence rational; in space it is the rotation by the least angle, which needs square roots.
 
-use crate::build::parameters::length;
 use crate::coeff::Coeff;
 use crate::error::{Error, Result};
-use crate::ops::product::cross3;
 use crate::scalar::{Real, Scalar};
 use crate::spline::{Curve, Function, Spline};
+use crate::vector::{cross3, length};
 use nalgebra::{SVector, vector};
 
 /// What stays in place at both ends.

@@ -1,12 +1,12 @@
 //! The operators, one file each: the map on spaces, the method on splines, the sign where there is one.
 
 pub mod embed;
+pub mod restrict;
 pub mod arithmetic;
 pub mod derivative;
-pub mod integral;
 pub mod product;
+pub mod integral;
 pub mod inner;
-pub mod restrict;
 pub mod join;
 pub mod reverse;
 pub mod reparam;

@@ -19,7 +19,7 @@ use crate::map::{BilinearMap, BilinearRow, LinearMap};
 use crate::scalar::Scalar;
 use crate::space::SplineSpace;
 use crate::spline::{Curve, Function, Spline};
-use nalgebra::{SVector, vector};
+use crate::vector::{cross2, cross3};
 use std::ops::Mul;
 
 impl<T: Scalar> SplineSpace<T> {
@@ -255,7 +255,7 @@ impl<T: Scalar> Curve<T, 2> {
     /// # Errors
     /// As [`product_by`](Spline::product_by).
     pub fn cross(&self, other: &Self) -> Result<Function<T>> {
-        self.product_by(other, |c, d| cross2(c, d))
+        self.product_by(other, cross2)
     }
 }
 
@@ -267,17 +267,6 @@ impl<T: Scalar> Curve<T, 3> {
     pub fn cross(&self, other: &Self) -> Result<Self> {
         self.product_by(other, cross3)
     }
-}
-
-/// The cross product of two plane vectors.
-pub(crate) fn cross2<T: Scalar>(c: &SVector<T, 2>, d: &SVector<T, 2>) -> T {
-    c[0].clone() * &d[1] - c[1].clone() * &d[0]
-}
-
-/// The cross product of two space vectors.
-pub(crate) fn cross3<T: Scalar>(c: &SVector<T, 3>, d: &SVector<T, 3>) -> SVector<T, 3> {
-    let minor = |i: usize, j: usize| c[i].clone() * &d[j] - c[j].clone() * &d[i];
-    vector![minor(1, 2), minor(2, 0), minor(0, 1)]
 }
 
 impl<T: Scalar, C: Coeff<T>> Mul<&Spline<T, C>> for &Function<T> {

@@ -5,7 +5,7 @@
 //! panels below each other may share their x axis ([`Panel::x_from_above`]). Curves stay curves: an SVG
 //! holds the cubics it was given, with coordinates in fractions of a pixel.
 //!
-//! Splines are unknown here; whoever draws one turns it into a [`BezPath`] or points first.
+//! Splines become paths by [`curve_path`] and [`graph_path`]; nothing else here knows them.
 //!
 //! # Examples
 //! ```
@@ -27,6 +27,7 @@
 //! # Ok::<(), symspline::error::Error>(())
 //! ```
 
+mod trace;
 mod style;
 mod svg;
 mod text;
@@ -44,3 +45,4 @@ pub use figure::Figure;
 pub use kurbo::{BezPath, Point};
 pub use panel::Panel;
 pub use style::{Color, Dash, Marker, Style};
+pub use trace::{curve_path, graph_path};

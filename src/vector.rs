@@ -1,0 +1,20 @@
+//! Lengths and cross products of points of the plane and of space, over any field.
+
+use crate::scalar::{Real, Scalar};
+use nalgebra::{SVector, vector};
+
+/// The cross product `x_1 y_2 - y_1 x_2` of two plane vectors.
+pub(crate) fn cross2<T: Scalar>(c: &SVector<T, 2>, d: &SVector<T, 2>) -> T {
+    c[0].clone() * &d[1] - c[1].clone() * &d[0]
+}
+
+/// The cross product of two space vectors.
+pub(crate) fn cross3<T: Scalar>(c: &SVector<T, 3>, d: &SVector<T, 3>) -> SVector<T, 3> {
+    let minor = |i: usize, j: usize| c[i].clone() * &d[j] - c[j].clone() * &d[i];
+    vector![minor(1, 2), minor(2, 0), minor(0, 1)]
+}
+
+/// The Euclidean length of a vector.
+pub(crate) fn length<T: Real, const N: usize>(vector: &SVector<T, N>) -> T {
+    T::dot(vector.iter().zip(vector.iter())).sqrt()
+}
