@@ -19,8 +19,8 @@ struct Arguments {
     /// Points of the profile: a CSV file with a header and two columns, or three of which the last two count (side view)
     #[arg(long, default_value = concat!(env!("CARGO_MANIFEST_DIR"), "/data/car_prius_profile_3.csv"))]
     input: PathBuf,
-    /// Control points of the cubic that is fitted to them
-    #[arg(long, default_value_t = 72)]
+    /// Control points of the cubic that is fitted to them, at least four
+    #[arg(long, default_value_t = 72, value_parser = at_least_four)]
     controls: usize,
     /// Control values of the quadratic scale function α, at least three
     #[arg(long, value_delimiter = ',', default_value = "1,1,0.5,2,1,1")]
@@ -28,6 +28,14 @@ struct Arguments {
     /// Where to write the picture; .svg and .png are put after it
     #[arg(long, default_value = "target/fine_tune")]
     output: PathBuf,
+}
+
+fn at_least_four(text: &str) -> Result<usize, String> {
+    match text.parse() {
+        Ok(count) if count >= 4 => Ok(count),
+        Ok(count) => Err(format!("a cubic has at least 4 control points, not {count}")),
+        Err(error) => Err(format!("{error}")),
+    }
 }
 
 /// A tuned curve and what is said of it.
@@ -58,6 +66,9 @@ fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let curve = Curve::least_squares(&space, &parameters, &points, Ends::Held)?;
 
     let spans = arguments.alpha.len().saturating_sub(2);
+    if spans == 0 {
+        return Err("a quadratic α has at least 3 control values".into());
+    }
     let alpha = Function::new(SplineSpace::uniform(2, spans, 0.0, 1.0)?, arguments.alpha.clone())?;
 
     let free = curve.fine_tuned(&alpha)?;

@@ -9,7 +9,7 @@ use crate::space::{SplineSpace, check_degree};
 impl<T: Scalar> SplineSpace<T> {
     /// The value at `x` as a functional: the `p + 1` basis functions that do not vanish there, from the right.
     ///
-    /// Computes what [NURBS] A2.2 does.
+    /// Computes what [NURBS, A2.2] does.
     ///
     /// # Errors
     /// [`Error::OutsideDomain`].
@@ -37,7 +37,7 @@ impl<T: Scalar> SplineSpace<T> {
     /// The derivatives of order `0 ..= order` at `x` as functionals, from the right; those beyond the degree are
     /// zero. At the end of the domain they are the left ones.
     ///
-    /// Computes what [NURBS] A2.3 does.
+    /// Computes what [NURBS, A2.3] does.
     ///
     /// # Errors
     /// [`Error::OutsideDomain`]; [`Error::DegreeTooHigh`] for an order beyond [`MAX_DEGREE`](crate::space::MAX_DEGREE).

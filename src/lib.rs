@@ -1,4 +1,29 @@
-//! Symbolic spline algebra.
+//! Exact spline algebra, and fine tuning of curves.
+//!
+//! A [`SplineSpace`] is a value: a degree, knots, and how the ends meet. A [`Spline`] is a list of coefficients in a
+//! space: numbers ([`Function`]) or points ([`Curve`]). Operators are maps between spaces, kept as rows of weights
+//! ([`LinearMap`], [`BilinearMap`]), and run over any ordered field ([`Scalar`]): over `f64`, and exactly over the rationals
+//! [`Q`].
+//!
+//! # Examples
+//! The integral of a product, by two routes, exactly:
+//! ```
+//! use symspline::{Function, Q, Scalar, SplineSpace};
+//! let hat = Function::new(SplineSpace::clamped(1, [0, 1, 3].map(Q::int))?, [0, 1, 0].map(Q::int).to_vec())?;
+//! let wave = Function::new(SplineSpace::clamped(2, [0, 2, 3].map(Q::int))?, [0, 3, -1, 2].map(Q::int).to_vec())?;
+//! let product = (&hat * &wave).integral()?;
+//! let by_gram = hat.space().gram(wave.space(), 0, 0)?.apply(wave.coeffs())?;
+//! assert_eq!(product, Q::dot(hat.coeffs().iter().zip(&by_gram)));
+//! # Ok::<(), symspline::Error>(())
+//! ```
+//!
+//! # Where things are
+//! - spaces: [`SplineSpace`], with its methods for finer, united and product spaces and for basis functions;
+//! - operators: methods of [`Spline`], explained file by file in [`ops`];
+//! - splines from data: [`build`];
+//! - curvature: [`analysis`];
+//! - fine tuning: [`fine_tune`];
+//! - pictures: the module `plot`, behind the feature of that name.
 
 // The modules from the ground up: a module uses only what stands above it (tests/floors.rs).
 pub mod error;
@@ -35,3 +60,7 @@ pub use map::{BilinearMap, BilinearRow, LinearMap};
 pub use scalar::{Real, Scalar};
 pub use space::SplineSpace;
 pub use spline::{Curve, Function, Spline};
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

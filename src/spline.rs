@@ -248,3 +248,19 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
         Spline::new(space, coeffs)
     }
 }
+
+impl<T: Scalar> Function<T> {
+    /// The function `x^power` on `[a, b]`, a single polynomial.
+    ///
+    /// # Errors
+    /// [`Error::DegreeTooHigh`], [`Error::EmptyDomain`], [`Error::NotFinite`].
+    pub fn monomial(power: usize, a: T, b: T) -> Result<Self> {
+        let space = SplineSpace::bezier(power, a.clone(), b.clone())?;
+        // The polar form of x^power is the product of its arguments.
+        let blossom = |j: usize| {
+            let factors = std::iter::repeat_n(&a, power - j).chain(std::iter::repeat_n(&b, j));
+            factors.fold(T::one(), |product, x| product * x)
+        };
+        Spline::new(space, (0..=power).map(blossom).collect())
+    }
+}

@@ -1,7 +1,7 @@
 //! Curvature of curves: signed in the plane, not negative in space.
 //!
 //! ```text
-//! κ = C' × C'' / |C'|³        (in space |C' × C''|)          [Miura] (2)
+//! κ = C' × C'' / |C'|³        (in space |C' × C''|)          [Miura, (2)]
 //! ```
 
 use crate::coeff::Coeff;

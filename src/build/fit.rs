@@ -1,7 +1,7 @@
 //! Interpolation and least squares: banded solves, linear in the number of points.
 //!
 //! Whether the data determine the spline is decided before anything is solved: every coefficient needs a parameter of
-//! its own, in order, at which its basis function does not vanish (Schoenberg and Whitney; [deBoor] XIII). Least
+//! its own, in order, at which its basis function does not vanish (Schoenberg and Whitney; [deBoor, 2001]). Least
 //! squares solve the normal equations `Σ_k N_i(x_k) (f(x_k) - d_k) = 0`, which over `Q` is exact.
 
 use crate::coeff::Coeff;

@@ -6,7 +6,7 @@ use crate::space::{SplineSpace, check_degree};
 use crate::vector::length;
 use nalgebra::SVector;
 
-/// Parameters from 0 to 1 that advance like the lengths of the polygon's legs [NURBS] 9.5.
+/// Parameters from 0 to 1 that advance like the lengths of the polygon's legs [NURBS, 9.5].
 ///
 /// # Errors
 /// [`Error::TooFewPoints`] for less than two points, [`Error::NotFinite`]; [`Error::NoChord`] if the polygon has
@@ -41,7 +41,7 @@ pub fn chord_length<T: Real, const N: usize>(points: &[SVector<T, N>]) -> Result
 }
 
 /// The clamped space for interpolation at `parameters`, with as many coefficients: each knot inside is the mean of
-/// `p` consecutive parameters, so that interpolation is always possible [NURBS] 9.8.
+/// `p` consecutive parameters, so that interpolation is always possible [NURBS, 9.8].
 ///
 /// # Errors
 /// [`Error::TooFewPoints`] for less than `p + 1` parameters, and those of [`SplineSpace::new`].
@@ -73,7 +73,7 @@ pub fn interpolation_space<T: Scalar>(degree: usize, parameters: &[T]) -> Result
 }
 
 /// The clamped space with `controls` coefficients for least squares at `parameters`: the knots inside spread the
-/// parameters evenly, so that every span holds one [NURBS] 9.68, 9.69.
+/// parameters evenly, so that every span holds one [NURBS, 9.68, 9.69].
 ///
 /// # Errors
 /// [`Error::TooFewPoints`] if there are less parameters than `controls`; [`Error::CoefficientCount`] if `controls`

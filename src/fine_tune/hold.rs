@@ -8,7 +8,7 @@
 //! Q'_k = I_j + Z (Q_k - Q_j)        j <= k <= N - j
 //! ```
 //! where `Z` is the rotation and scaling that takes `Q_{N-j} - Q_j` to `I_{N-j} - I_j`; `j` is 0 to hold the end
-//! points, 1 to hold the tangents too, 2 to hold the curvatures too ([Miura] 2.1). In the plane `Z` is a complex
+//! points, 1 to hold the tangents too, 2 to hold the curvatures too [Miura, 2.1]. In the plane `Z` is a complex
 //! factor, hence rational; in space it is the rotation by the least angle, which needs square roots.
 
 use crate::coeff::Coeff;

@@ -1,4 +1,4 @@
-//! Fine tuning: a curve is deformed by scaling its derivative [Miura].
+//! Fine tuning: a curve is deformed by scaling its derivative, after Miura, Cheng and Wang.
 
 pub mod scale;
 pub mod hold;

@@ -1,8 +1,8 @@
 //! A curve with its derivative scaled.
 //!
 //! ```text
-//! D(t) = C(a) + ∫_a^t α C'          [Miura] (1)
-//! D' = α C',   κ_D = κ / |α|        [Miura] (3), (5) corrected
+//! D(t) = C(a) + ∫_a^t α C'          [Miura, (1)]
+//! D' = α C',   κ_D = κ / |α|        [Miura, (3)], (5) corrected
 //! ```
 //! With `C` of degree `n` and `α` of degree `q`, `D` has degree `n + q`; the tangent keeps its direction at every
 //! parameter where `α > 0`.

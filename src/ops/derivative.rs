@@ -1,7 +1,7 @@
 //! Derivatives as splines.
 //!
 //! ```text
-//! c'_i = p (c_{i+1} - c_i) / (t_{i+p+1} - t_{i+1})          [NURBS] 3.6
+//! c'_i = p (c_{i+1} - c_i) / (t_{i+p+1} - t_{i+1})          [NURBS, section 3.3]
 //! ```
 //! in degree `p - 1` over the knots without the first and the last. A knot of `p + 1` copies is a jump: a spline
 //! there has no derivative among the splines, and the operator says so.

@@ -2,7 +2,7 @@
 //!
 //! Coefficient `j` of a finer space of the same degree is the polar value of the spline at the `p` knots after `j`
 //! of that space; one degree higher it is the mean of the `p + 1` polar values that leave out one knot each
-//! ([Ramshaw]). Arguments that are knots of both spaces cost nothing, and the others lie between the knots around
+//! [Ramshaw, 1989]. Arguments that are knots of both spaces cost nothing, and the others lie between the knots around
 //! them, so that every step is a convex combination: nothing is amplified, on whatever knots.
 //!
 //! Only outer knots may make a step extrapolate, where the target is unclamped and its outer knots are new.
@@ -141,7 +141,7 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
 
     /// The same function with `knots` inserted, each as often as it is listed, in any order.
     ///
-    /// Computes what [NURBS] A5.1 and A5.4 do, all knots at once and in linear time.
+    /// Computes what [NURBS, A5.1] and A5.4 do, all knots at once and in linear time.
     ///
     /// # Errors
     /// As [`SplineSpace::refined`].
@@ -194,7 +194,7 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
 
     /// The polynomial pieces, one a span, each on its own interval with Bernstein coefficients.
     ///
-    /// Computes what [NURBS] A5.6 does, with the original parameters kept.
+    /// Computes what [NURBS, A5.6] does, with the original parameters kept.
     ///
     /// # Errors
     /// None for a valid spline.

@@ -10,7 +10,7 @@
 use crate::coeff::Coeff;
 use crate::error::Result;
 use crate::map::LinearMap;
-use crate::ops::product::bernstein_shares;
+use crate::ops::bernstein::bernstein_shares;
 use crate::scalar::Scalar;
 use crate::space::SplineSpace;
 use crate::spline::{Curve, Function, Spline};

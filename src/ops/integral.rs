@@ -1,7 +1,7 @@
 //! Antiderivatives, definite integrals and moments.
 //!
 //! ```text
-//! d_0 = 0,   d_{i+1} = d_i + c_i (t_{i+p+1} - t_i) / (p + 1)          [deBoor] X (33)
+//! d_0 = 0,   d_{i+1} = d_i + c_i (t_{i+p+1} - t_i) / (p + 1)          [deBoor, p. 128]
 //! ```
 //! in degree `p + 1` over the knots with the first and the last repeated, then shifted to be zero at the start of
 //! the domain. As a map this is dense; the method runs the sum instead.
@@ -179,21 +179,5 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
         let (a, b) = self.domain();
         let monomial = Function::monomial(power, a.clone(), b.clone())?;
         self.clamped_ends()?.times(&monomial)?.integral()
-    }
-}
-
-impl<T: Scalar> Function<T> {
-    /// The function `x^power` on `[a, b]`, a single polynomial.
-    ///
-    /// # Errors
-    /// [`Error::DegreeTooHigh`], [`Error::EmptyDomain`], [`Error::NotFinite`].
-    pub fn monomial(power: usize, a: T, b: T) -> Result<Self> {
-        let space = SplineSpace::bezier(power, a.clone(), b.clone())?;
-        // The polar form of x^power is the product of its arguments.
-        let blossom = |j: usize| {
-            let factors = std::iter::repeat_n(&a, power - j).chain(std::iter::repeat_n(&b, j));
-            factors.fold(T::one(), |product, x| product * x)
-        };
-        Spline::new(space, (0..=power).map(blossom).collect())
     }
 }

@@ -1,9 +1,12 @@
 //! The operators, one file each: the map on spaces, the method on splines, the sign where there is one.
 
+pub mod convert;
 pub mod embed;
 pub mod restrict;
 pub mod arithmetic;
 pub mod derivative;
+mod bernstein;
+pub mod recompose;
 pub mod product;
 pub mod integral;
 pub mod inner;

@@ -6,16 +6,14 @@
 //! c_k = Σ_{i+j=k} C(p, i) C(q, j) / C(p + q, k) a_i b_j
 //! ```
 //!
-//! From them each coefficient of the product space is the polar value of **one** span of its support at the
-//! coefficient's knots. Every span gives the same value, but not the same rounding: an argument `u` outside the span
-//! `[a, b]` extrapolates, and amplifies errors by up to `1 + 2 dist(u, [a, b]) / (b - a)`. The span with the least
-//! product of these factors is taken. No system is solved, and the cost is linear in the number of spans; the
-//! statement that a product's coefficient is a mean of products of polar values is the definition the tests use
-//! ([Morken], [Ramshaw]).
+//! From them the [recomposition](SplineSpace::recomposition) makes the coefficients of the product space. No system is
+//! solved, and the cost is linear in the number of spans. That a coefficient of the product is a mean of products of
+//! polar values [Morken, 1991], [Ramshaw, 1989] is the definition with which the tests compare.
 
 use crate::coeff::Coeff;
 use crate::error::{Error, Result};
-use crate::map::{BilinearMap, BilinearRow, LinearMap};
+use crate::map::{BilinearMap, BilinearRow};
+use crate::ops::bernstein::bernstein_shares;
 use crate::scalar::Scalar;
 use crate::space::SplineSpace;
 use crate::spline::{Curve, Function, Spline};
@@ -63,75 +61,6 @@ impl<T: Scalar> SplineSpace<T> {
         };
         BilinearMap::from_rows(self.dim(), other.dim(), rows.rows().map(row))
     }
-
-    /// The map from Bernstein coefficients on the spans, those of [`pieces`](Self::pieces) of the same degree, to
-    /// coefficients of this space, for piecewise polynomials that lie in it. Each row uses a single piece.
-    ///
-    /// # Errors
-    /// None for a valid space.
-    pub fn recomposition(&self) -> Result<LinearMap<T>> {
-        let (p, tau) = (self.degree(), self.knots());
-        let pieces = self.pieces(p)?;
-        let spans: Vec<usize> = pieces.spans().collect();
-        let breaks: Vec<&T> = spans.iter().map(|&k| &pieces.knots()[k]).chain([pieces.domain().1]).collect();
-        let mut map = LinearMap::empty(pieces.dim(), self.dim());
-        let (mut args, mut free) = (Vec::with_capacity(p), Vec::with_capacity(p));
-        // The spans under unrolled coefficient j; a wrapped coefficient also has those of its other end.
-        let mut start = 0;
-        let mut under = |j: usize| {
-            while start + 1 < spans.len() && *breaks[start + 1] <= tau[j] {
-                start += 1;
-            }
-            // A wrapped coefficient may lie past the last span altogether.
-            let from = start + usize::from(*breaks[start + 1] <= tau[j]);
-            let count = breaks[from..spans.len()].iter().take_while(|a| ***a < tau[j + p + 1]).count();
-            (j, from, from + count)
-        };
-        let mut candidates: Vec<_> = (0..self.unrolled_dim()).map(&mut under).collect();
-        let wrapped = candidates.split_off(self.dim());
-        for (j, from, to) in candidates {
-            let turns = wrapped.iter().skip(j).step_by(self.dim());
-            let all = [(j, from, to)].into_iter().chain(turns.copied());
-            let choices = all.flat_map(|(j, from, to)| (from..to).map(move |s| (j, s)));
-            let cost =
-                |&(j, s): &(usize, usize)| amplification(&tau[j + 1..=j + p], breaks[s], breaks[s + 1]);
-            let least =
-                choices.map(|choice| (cost(&choice), choice)).reduce(|x, y| if y.0 < x.0 { y } else { x });
-            let (_, (j, s)) = least.expect("every coefficient has a span under it");
-            args.clear();
-            args.extend(&tau[j + 1..=j + p]);
-            map.push_with(|weights| pieces.polar_into(spans[s], &args, &mut free, weights));
-        }
-        Ok(map)
-    }
-}
-
-/// How much polar arguments may amplify errors of Bernstein coefficients on `[a, b]`. Exact fields have no errors:
-/// there it counts the arguments that cost anything.
-fn amplification<T: Scalar>(args: &[T], a: &T, b: &T) -> T {
-    if T::EXACT {
-        return T::int(args.iter().filter(|u| *u != a && *u != b).count() as i64);
-    }
-    let width = b.clone() - a;
-    let outside = |u: &T| if u < a { a.clone() - u } else { u.clone() - b };
-    let growth = |u: &T| T::one() + T::int(2) * outside(u) / &width;
-    args.iter().filter(|u| *u < a || *u > b).fold(T::one(), |product, u| product * growth(u))
-}
-
-/// `C(p, i) C(q, j) / C(p + q, i + j)` for all `i`, `j`.
-pub(crate) fn bernstein_shares<T: Scalar>(p: usize, q: usize) -> Vec<Vec<T>> {
-    let [rows_p, rows_q, rows] = [p, q, p + q].map(binomials::<T>);
-    let share = |i: usize, j: usize| rows_p[i].clone() * &rows_q[j] / &rows[i + j];
-    (0..=p).map(|i| (0..=q).map(|j| share(i, j)).collect()).collect()
-}
-
-/// `C(n, 0), ..., C(n, n)`.
-pub(crate) fn binomials<T: Scalar>(n: usize) -> Vec<T> {
-    let mut row = vec![T::one(); n + 1];
-    for k in 1..n {
-        row[k] = row[k - 1].clone() * T::int((n + 1 - k) as i64) / T::int(k as i64);
-    }
-    row
 }
 
 /// A growing window of weights on index pairs.
