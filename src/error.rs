@@ -37,6 +37,14 @@ pub enum Error {
         /// End of the domain.
         end: String,
     },
+    /// The length of a span, or of the whole knot vector, has no finite inverse in floating point.
+    #[error(
+        "the span after knot {index}, or the whole knot vector, is too short or too long for floating point"
+    )]
+    SpanOutOfRange {
+        /// The index of the knot before the span.
+        index: usize,
+    },
     /// A knot has more copies than degree + 1.
     #[error("knot {knot} has {multiplicity} copies, at most {limit} make sense")]
     Multiplicity {
@@ -70,7 +78,7 @@ pub enum Error {
         needed: usize,
     },
     /// A size beyond what is sane.
-    #[error("{count} coefficients are more than the limit {limit}")]
+    #[error("{count} values are more than the limit {limit}")]
     TooLarge {
         /// The number asked for.
         count: usize,

@@ -45,6 +45,9 @@ impl<T: Scalar> Functional<T> {
     }
 
     /// The weights spread over `dim` coefficients, wrapped ones added up.
+    ///
+    /// # Panics
+    /// If `dim` is zero.
     pub fn to_dense(&self, dim: usize) -> Vec<T> {
         let mut dense = vec![T::zero(); dim];
         for (k, w) in self.weights.iter().enumerate() {

@@ -37,6 +37,7 @@ pub mod map;
 pub mod knots;
 mod polar;
 pub mod space;
+mod locate;
 mod derived;
 mod basis;
 pub mod spline;

@@ -9,6 +9,9 @@ use crate::functional::{Functional, weigh};
 use crate::scalar::Scalar;
 use nalgebra::DMatrix;
 
+/// The largest number of entries of a dense matrix or map.
+pub const MAX_ENTRIES: usize = 1 << 28;
+
 /// A linear map as rows: target coefficient `i` is the functional `row(i)` of the source coefficients.
 ///
 /// # Examples
@@ -87,7 +90,7 @@ impl<T: Scalar> LinearMap<T> {
         self.firsts.len()
     }
 
-    /// First index and weights of row `i`.
+    /// First index and weights of row `i`; indices past the last coefficient wrap to the first.
     ///
     /// # Panics
     /// If there is no such row.
@@ -150,14 +153,18 @@ impl<T: Scalar> LinearMap<T> {
     }
 
     /// The dense matrix, `target_dim` by `source_dim`.
-    pub fn to_matrix(&self) -> DMatrix<T> {
+    ///
+    /// # Errors
+    /// [`Error::TooLarge`] for more than [`MAX_ENTRIES`] entries.
+    pub fn to_matrix(&self) -> Result<DMatrix<T>> {
+        check_entries(self.target_dim(), self.source_dim)?;
         let mut matrix = DMatrix::from_element(self.target_dim(), self.source_dim, T::zero());
         for (i, (first, weights)) in self.rows().enumerate() {
             for (k, w) in weights.iter().enumerate() {
                 matrix[(i, (first + k) % self.source_dim)] += w;
             }
         }
-        matrix
+        Ok(matrix)
     }
 }
 
@@ -248,6 +255,14 @@ impl<T: Scalar> BilinearMap<T> {
             BilinearRow { first: (row.first.1, row.first.0), weights: (0..width).map(column).collect() }
         };
         Self { dims: (self.dims.1, self.dims.0), rows: self.rows.iter().map(swap).collect() }
+    }
+}
+
+/// Refuses dense matrices beyond [`MAX_ENTRIES`].
+pub(crate) fn check_entries(rows: usize, columns: usize) -> Result<()> {
+    match rows.saturating_mul(columns) {
+        0..=MAX_ENTRIES => Ok(()),
+        count => Err(Error::TooLarge { count, limit: MAX_ENTRIES }),
     }
 }
 

@@ -16,7 +16,7 @@ use crate::scalar::Scalar;
 pub const MAX_DEGREE: usize = 512;
 
 /// The largest number of coefficients a space may have.
-pub const MAX_DIM: usize = 1 << 30;
+pub const MAX_DIM: usize = 1 << 26;
 
 /// The splines of one degree over one knot vector.
 ///
@@ -60,8 +60,9 @@ impl<T: Scalar> SplineSpace<T> {
     ///
     /// # Errors
     /// [`Error::DegreeTooHigh`], [`Error::NotFinite`], [`Error::KnotsDecrease`], [`Error::TooFewKnots`],
-    /// [`Error::EmptyDomain`], [`Error::Multiplicity`], and [`Error::UnusedCoefficient`] if the first or last
-    /// coefficient would have no influence on the domain.
+    /// [`Error::EmptyDomain`], [`Error::Multiplicity`]; [`Error::UnusedCoefficient`] if the first or last coefficient
+    /// would have no influence on the domain; [`Error::SpanOutOfRange`] if in `f64` the length of a span or of the whole
+    /// has no finite inverse.
     ///
     /// # Examples
     /// ```
@@ -89,7 +90,7 @@ impl<T: Scalar> SplineSpace<T> {
         let dim = knots.len() - degree - 1;
         check_dim(dim)?;
         let space = Self { degree, knots, dim, periodic: false };
-        space.check_multiplicities()?;
+        space.check_knots()?;
         let t = space.knots();
         if t[degree] == t[degree + 1] {
             return Err(Error::UnusedCoefficient { index: 0 });
@@ -169,14 +170,20 @@ impl<T: Scalar> SplineSpace<T> {
             }
         });
         let space = Self { degree, knots: KnotVector::new(unrolled)?, dim: m, periodic: true };
-        space.check_multiplicities()?;
+        space.check_knots()?;
         Ok(space)
     }
 
-    fn check_multiplicities(&self) -> Result<()> {
-        let (a, b) = self.domain();
+    fn check_knots(&self) -> Result<()> {
+        let (t, (a, b)) = (self.knots(), self.domain());
         if a >= b {
             return Err(Error::EmptyDomain { start: a.to_string(), end: b.to_string() });
+        }
+        let reach = t[t.len() - 1].clone() - &t[0];
+        let invertible = |width: T| width.is_zero() || (T::one() / width).is_finite();
+        let narrow = || t.windows(2).position(|pair| !invertible(pair[1].clone() - &pair[0]));
+        if let Some(index) = (!T::EXACT).then(narrow).flatten().or((!reach.is_finite()).then_some(0)) {
+            return Err(Error::SpanOutOfRange { index });
         }
         let limit = self.degree + 1;
         match self.knots.chunk_by(T::eq).find(|copies| copies.len() > limit) {
@@ -269,36 +276,6 @@ impl<T: Scalar> SplineSpace<T> {
         (0..self.dim).map(mean).collect()
     }
 
-    /// The index `k` of the span that holds `x` in `[t_k, t_{k+1})`; the last span also holds its end.
-    ///
-    /// # Errors
-    /// [`Error::OutsideDomain`], also for NaN.
-    #[inline]
-    pub fn locate(&self, x: &T) -> Result<usize> {
-        let (a, b) = self.domain();
-        if !(x >= a && x <= b) {
-            return Err(self.outside(x));
-        }
-        if x == b {
-            return Ok(self.last_span());
-        }
-        let candidates = &self.knots[self.degree..=self.unrolled_dim()];
-        Ok(self.degree + candidates.partition_point(|t| t <= x) - 1)
-    }
-
-    /// The index `k` of the span that holds `x` in `(t_k, t_{k+1}]`; the first span also holds its start.
-    ///
-    /// # Errors
-    /// [`Error::OutsideDomain`], also for NaN.
-    pub fn locate_left(&self, x: &T) -> Result<usize> {
-        let (a, b) = self.domain();
-        if !(x >= a && x <= b) {
-            return Err(self.outside(x));
-        }
-        let candidates = &self.knots[self.degree + 1..=self.unrolled_dim()];
-        Ok(self.degree + candidates.partition_point(|t| t < x))
-    }
-
     /// The last non-empty span.
     #[inline]
     pub(crate) fn last_span(&self) -> usize {
@@ -308,12 +285,6 @@ impl<T: Scalar> SplineSpace<T> {
             k -= 1;
         }
         k
-    }
-
-    #[cold]
-    fn outside(&self, x: &T) -> Error {
-        let (a, b) = self.domain();
-        Error::OutsideDomain { parameter: x.to_string(), start: a.to_string(), end: b.to_string() }
     }
 
     /// The same space over another field.
@@ -360,12 +331,14 @@ impl<T: Scalar> SplineSpace<T> {
     /// The open space of `degree` with these parts.
     pub(crate) fn from_parts(degree: usize, parts: Parts<T>) -> Result<Self> {
         let Parts { left, inner, right } = parts;
+        check_dim(inner.iter().map(|(_, count)| count).sum())?;
         let copies = inner.into_iter().flat_map(|(t, count)| std::iter::repeat_n(t, count));
         Self::new(degree, left.into_iter().chain(copies).chain(right))
     }
 
     /// The periodic space of `degree` with these distinct knots and multiplicities, the seam at the start only.
     pub(crate) fn periodic_from_breaks(degree: usize, round: &[(T, usize)], period: T) -> Result<Self> {
+        check_dim(round.iter().map(|(_, count)| count).sum())?;
         let copies = round.iter().flat_map(|(t, count)| std::iter::repeat_n(t.clone(), *count));
         Self::periodic(degree, copies, period)
     }

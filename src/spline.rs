@@ -113,6 +113,26 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
         Ok(self.on_span(self.space.locate(x)?, x))
     }
 
+    /// As [`at`](Self::at), starting the search for the span at `span`, which becomes the span of `x`.
+    ///
+    /// # Errors
+    /// [`Error::OutsideDomain`]; then `span` stays.
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::Function;
+    /// let line = Function::monomial(1, 0.0, 1.0)?;
+    /// let mut span = 0;
+    /// assert_eq!(line.at_near(&0.25, &mut span)?, 0.25);
+    /// assert_eq!(line.at_near(&0.75, &mut span)?, 0.75);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    #[inline]
+    pub fn at_near(&self, x: &T, span: &mut usize) -> Result<C> {
+        *span = self.space.locate_near(x, *span)?;
+        Ok(self.on_span(*span, x))
+    }
+
     /// The left limit at `x`; at the start of an open domain the right one, at the seam the one from the far end.
     ///
     /// # Errors
@@ -213,15 +233,9 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
 
     /// Calls `take` with the value at each parameter in turn.
     fn for_each_value(&self, parameters: &[T], mut take: impl FnMut(C)) -> Result<()> {
-        let t = self.space.knots();
-        let mut span: Option<usize> = None;
+        let mut span = self.degree();
         for x in parameters {
-            let k = match span {
-                Some(k) if t[k] <= *x && *x < t[k + 1] => k,
-                _ => self.space.locate(x)?,
-            };
-            span = Some(k);
-            take(self.on_span(k, x));
+            take(self.at_near(x, &mut span)?);
         }
         Ok(())
     }

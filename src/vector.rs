@@ -14,7 +14,15 @@ pub(crate) fn cross3<T: Scalar>(c: &SVector<T, 3>, d: &SVector<T, 3>) -> SVector
     vector![minor(1, 2), minor(2, 0), minor(0, 1)]
 }
 
-/// The Euclidean length of a vector.
+/// The Euclidean length of a vector, without overflow or underflow on the way.
 pub(crate) fn length<T: Real, const N: usize>(vector: &SVector<T, N>) -> T {
-    T::dot(vector.iter().zip(vector.iter())).sqrt()
+    let largest = vector.iter().map(T::magnitude).reduce(|x, y| if x < y { y } else { x });
+    match largest {
+        Some(size) if !size.is_zero() && size.is_finite() => {
+            let share = |x: &T| x.clone() / &size;
+            let squares = vector.iter().fold(T::zero(), |sum, x| sum + share(x) * share(x));
+            squares.sqrt() * size
+        }
+        size => size.unwrap_or_else(T::zero),
+    }
 }

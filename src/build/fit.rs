@@ -55,7 +55,8 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     ///
     /// # Errors
     /// As [`interpolating`](Self::interpolating), but there may be more data than coefficients.
-    /// [`Error::NotClamped`] if ends are to be held in a space that is not clamped.
+    /// To hold ends the space must be clamped ([`Error::NotClamped`]) and the parameters must start and end where the domain
+    /// does ([`Error::DomainMismatch`]).
     ///
     /// # Examples
     /// ```
@@ -67,8 +68,8 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     /// ```
     pub fn least_squares(space: &SplineSpace<T>, parameters: &[T], data: &[C], ends: Ends) -> Result<Self> {
         check_data(space, parameters, data)?;
-        if ends == Ends::Held && !space.is_clamped() {
-            return Err(Error::NotClamped);
+        if ends == Ends::Held {
+            check_ends(space, parameters)?;
         }
         let (p, dim) = (space.degree(), space.dim());
         let rows = rows(space, parameters)?;
@@ -133,6 +134,18 @@ fn check_data<T: Scalar, C: Coeff<T>>(space: &SplineSpace<T>, parameters: &[T], 
         Some(before) => Err(Error::ParametersDecrease { index: before + 1 }),
         None => Ok(()),
     }
+}
+
+/// That the first and last coefficient are the values at the first and last parameter.
+fn check_ends<T: Scalar>(space: &SplineSpace<T>, parameters: &[T]) -> Result<()> {
+    if !space.is_clamped() {
+        return Err(Error::NotClamped);
+    }
+    let ((a, b), (first, last)) = (space.domain(), (&parameters[0], &parameters[parameters.len() - 1]));
+    if (a, b) == (first, last) {
+        return Ok(());
+    }
+    Err(Error::DomainMismatch { left: format!("[{a}, {b}]"), right: format!("[{first}, {last}]") })
 }
 
 /// The value functionals at the parameters, if they determine the spline.

@@ -9,7 +9,7 @@
 use crate::coeff::Coeff;
 use crate::error::{Error, Result};
 use crate::functional::Functional;
-use crate::map::LinearMap;
+use crate::map::{LinearMap, check_entries};
 use crate::polar::blossom;
 use crate::scalar::Scalar;
 use crate::space::{SplineSpace, check_degree};
@@ -42,12 +42,14 @@ impl<T: Scalar> SplineSpace<T> {
     /// coefficients; [`Spline::antiderivative`] is linear.
     ///
     /// # Errors
-    /// [`Error::NotPeriodic`] for a periodic space, which has no such map; [`Error::DegreeTooHigh`].
+    /// [`Error::NotPeriodic`] for a periodic space, which has no such map; [`Error::DegreeTooHigh`],
+    /// [`Error::TooLarge`].
     pub fn antidifferentiation(&self) -> Result<LinearMap<T>> {
         if self.is_periodic() {
             return Err(Error::NotPeriodic);
         }
         let target = self.antiderivative_space()?;
+        check_entries(target.dim(), self.dim())?;
         let mut sums = LinearMap::empty(self.dim(), target.dim());
         let before = self.integral_up_to(self.degree(), self.domain().0);
         for j in 0..target.dim() {

@@ -58,7 +58,10 @@ pub fn graph_path(function: &Function<f64>, tolerance: f64) -> Result<BezPath> {
 /// Adds the arc of one polynomial piece, from the current point.
 fn draw(path: &mut BezPath, piece: Curve<f64, 2>, tolerance: f64, halvings: usize) -> Result<()> {
     let cubic = match piece.degree() {
-        0 | 1 => return Ok(path.line_to(point(&piece.coeffs()[piece.degree()]))),
+        0 | 1 => {
+            path.line_to(point(&piece.coeffs()[piece.degree()]));
+            return Ok(());
+        }
         2 | 3 => piece.elevated(3 - piece.degree())?,
         _ => hermite(&piece)?,
     };
