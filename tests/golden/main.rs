@@ -1,0 +1,49 @@
+//! Golden values: exact numbers made by another program (piecewise polynomials over rationals), in `cases.json`.
+//!
+//! Each category is one test. Over `Q` knots and coefficients must be equal; over `f64` inputs are rounded to
+//! nearest, knots must still be equal, and numbers may be off by `FACTOR * EPSILON * size`, where `size` is the
+//! largest number of the answer, or for a derivative of order `k` the coefficients' size times `(2 p / h)^k` with
+//! `h` the shortest span.
+
+mod data;
+mod check;
+mod values;
+mod operators;
+mod tuning;
+mod closed;
+mod curvature;
+
+/// The categories tested here, with their numbers of cases.
+const TESTED: [(&str, usize); 15] = [
+    ("basis", 22),
+    ("curve_ders", 3),
+    ("hodograph", 3),
+    ("knot_insertion", 8),
+    ("degree_elevation", 6),
+    ("product", 7),
+    ("antiderivative", 5),
+    ("definite_integral", 10),
+    ("gram", 9),
+    ("fine_tune", 10),
+    ("fine_tune_end", 14),
+    ("closed_quadratic_to_cubic", 2),
+    ("closed_fine_tune_open", 2),
+    ("curvature2d", 3),
+    ("curvature3d", 3),
+];
+
+/// The file holds what its header promises, and nothing that is not tested.
+#[test]
+fn every_case_is_counted() {
+    let mut tested = TESTED.to_vec();
+    let mut promised = data::categories();
+    tested.sort_unstable();
+    promised.sort_unstable();
+    assert_eq!(promised, tested);
+    let mut ids: Vec<&str> =
+        tested.iter().flat_map(|(name, _)| data::cases(name)).map(data::Case::id).collect();
+    assert_eq!(ids.len(), tested.iter().map(|(_, count)| count).sum::<usize>());
+    ids.sort_unstable();
+    ids.dedup();
+    assert_eq!(ids.len(), 107, "distinct cases");
+}
