@@ -1,8 +1,9 @@
 //! Spaces made from spaces: finer ones, and the smallest ones that hold a sum or a product.
 
 use crate::error::{Error, Result};
+use crate::parts::Parts;
 use crate::scalar::Scalar;
-use crate::space::{Parts, SplineSpace, check_degree, check_dim};
+use crate::space::{SplineSpace, check_degree, check_dim};
 
 impl<T: Scalar> SplineSpace<T> {
     /// The space with more knots inside, each of `knots` adding one to the multiplicity there.
@@ -49,6 +50,14 @@ impl<T: Scalar> SplineSpace<T> {
     ///
     /// # Errors
     /// [`Error::Multiplicity`] if a span is too short to have a middle in the field.
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::SplineSpace;
+    /// let space = SplineSpace::clamped(2, [0.0, 1.0, 3.0])?;
+    /// assert_eq!(space.bisected()?, SplineSpace::clamped(2, [0.0, 0.5, 1.0, 2.0, 3.0])?);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
     pub fn bisected(&self) -> Result<Self> {
         let t = self.knots();
         let middles: Vec<T> = self.spans().map(|k| (t[k].clone() + &t[k + 1]) / T::int(2)).collect();
@@ -97,6 +106,14 @@ impl<T: Scalar> SplineSpace<T> {
     ///
     /// # Errors
     /// None beyond those of a valid space.
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::SplineSpace;
+    /// let ring = SplineSpace::periodic(2, [0.0, 1.0, 3.0], 4.0)?;
+    /// assert_eq!(ring.clamped_ends()?, SplineSpace::clamped(2, [0.0, 1.0, 3.0, 4.0])?);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
     pub fn clamped_ends(&self) -> Result<Self> {
         if self.is_clamped() {
             return Ok(self.clone());
@@ -112,6 +129,14 @@ impl<T: Scalar> SplineSpace<T> {
     ///
     /// # Errors
     /// [`Error::Multiplicity`] if rounding makes outer knots coincide.
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::SplineSpace;
+    /// let clamped = SplineSpace::clamped(2, [0.0, 1.0, 3.0])?;
+    /// assert_eq!(**clamped.unclamped_ends()?.knots(), [-3.0, -2.0, 0.0, 1.0, 3.0, 4.0, 6.0]);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
     pub fn unclamped_ends(&self) -> Result<Self> {
         if self.is_periodic() {
             return Self::from_parts(self.degree(), self.parts());
@@ -126,6 +151,14 @@ impl<T: Scalar> SplineSpace<T> {
     ///
     /// # Errors
     /// [`Error::TooFewKnots`] if either does not have `p` knots, and those of [`new`](Self::new).
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::SplineSpace;
+    /// let clamped = SplineSpace::clamped(1, [0.0, 1.0, 3.0])?;
+    /// assert_eq!(clamped.with_outer_knots(&[-1.0], &[4.0])?, SplineSpace::new(1, [-1.0, 0.0, 1.0, 3.0, 4.0])?);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
     pub fn with_outer_knots(&self, before: &[T], after: &[T]) -> Result<Self> {
         let p = self.degree();
         for outer in [before, after] {
@@ -214,6 +247,14 @@ impl<T: Scalar> SplineSpace<T> {
     ///
     /// # Errors
     /// [`Error::DegreeTooHigh`], [`Error::TooLarge`].
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::SplineSpace;
+    /// let space = SplineSpace::clamped(3, [0.0, 1.0, 3.0])?;
+    /// assert_eq!(space.pieces(1)?, SplineSpace::clamped(1, [0.0, 1.0, 1.0, 3.0])?);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
     pub fn pieces(&self, degree: usize) -> Result<Self> {
         check_degree(degree)?;
         check_dim(self.dim().saturating_mul(degree + 1))?;
@@ -264,13 +305,6 @@ impl<T: Scalar> SplineSpace<T> {
             }
         }
         Ok(())
-    }
-
-    /// The distinct knots of a period with their multiplicities, the seam at the start only.
-    pub(crate) fn round(&self) -> Vec<(T, usize)> {
-        let mut breaks = self.breaks();
-        breaks.pop();
-        breaks
     }
 }
 

@@ -48,6 +48,12 @@ impl<T: Scalar> Functional<T> {
     ///
     /// # Panics
     /// If `dim` is zero.
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::Functional;
+    /// assert_eq!(Functional::new(2, [1.0, 5.0]).to_dense(3), [5.0, 0.0, 1.0]);
+    /// ```
     pub fn to_dense(&self, dim: usize) -> Vec<T> {
         let mut dense = vec![T::zero(); dim];
         for (k, w) in self.weights.iter().enumerate() {

@@ -9,6 +9,15 @@ impl<T: Scalar> SplineSpace<T> {
     ///
     /// # Errors
     /// [`Error::OutsideDomain`], also for NaN.
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::{Error, SplineSpace};
+    /// let space = SplineSpace::clamped(1, [0.0, 1.0, 2.0])?;
+    /// assert_eq!([0.0, 0.5, 1.0, 2.0].map(|x| space.locate(&x)), [Ok(1), Ok(1), Ok(2), Ok(2)]);
+    /// assert!(matches!(space.locate(&2.5), Err(Error::OutsideDomain { .. })));
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
     #[inline]
     pub fn locate(&self, x: &T) -> Result<usize> {
         let (a, b) = self.domain();
@@ -26,6 +35,14 @@ impl<T: Scalar> SplineSpace<T> {
     ///
     /// # Errors
     /// [`Error::OutsideDomain`], also for NaN.
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::SplineSpace;
+    /// let space = SplineSpace::clamped(1, [0.0, 1.0, 2.0])?;
+    /// assert_eq!([0.0, 0.5, 1.0, 2.0].map(|x| space.locate_left(&x)), [Ok(1), Ok(1), Ok(1), Ok(2)]);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
     pub fn locate_left(&self, x: &T) -> Result<usize> {
         let (a, b) = self.domain();
         if !(x >= a && x <= b) {
@@ -39,6 +56,14 @@ impl<T: Scalar> SplineSpace<T> {
     ///
     /// # Errors
     /// As [`locate`](Self::locate).
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::SplineSpace;
+    /// let space = SplineSpace::clamped(1, [0.0, 1.0, 2.0])?;
+    /// assert_eq!((space.locate_near(&1.5, 1), space.locate_near(&1.5, usize::MAX)), (Ok(2), Ok(2)));
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
     #[inline]
     pub fn locate_near(&self, x: &T, hint: usize) -> Result<usize> {
         let t = self.knots();

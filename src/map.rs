@@ -1,4 +1,4 @@
-//! Linear and bilinear maps between coefficient vectors, kept as rows of weights.
+//! Linear maps between coefficient vectors, kept as rows of weights.
 //!
 //! An operator between spline spaces is one short row of weights a target coefficient, made from the knots alone.
 //! Kept by the caller, such a map is a table: applying it again to other coefficients costs a few products a row.
@@ -94,6 +94,14 @@ impl<T: Scalar> LinearMap<T> {
     ///
     /// # Panics
     /// If there is no such row.
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::SplineSpace;
+    /// let slope = SplineSpace::bezier(1, 0.0, 0.5)?.differentiation()?;
+    /// assert_eq!(slope.row(0), (0, &[-2.0, 2.0][..]));
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
     pub fn row(&self, i: usize) -> (usize, &[T]) {
         let start = if i == 0 { 0 } else { self.ends[i - 1] };
         (self.firsts[i], &self.weights[start..self.ends[i]])
@@ -108,6 +116,15 @@ impl<T: Scalar> LinearMap<T> {
     ///
     /// # Errors
     /// [`Error::CoefficientCount`] if their number is not [`source_dim`](Self::source_dim).
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::{Error, LinearMap};
+    /// let identity = LinearMap::identity(2);
+    /// assert_eq!(identity.apply(&[1.0, 2.0])?, [1.0, 2.0]);
+    /// assert_eq!(identity.apply(&[1.0]), Err(Error::CoefficientCount { expected: 2, found: 1 }));
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
     pub fn apply<C: Coeff<T>>(&self, coeffs: &[C]) -> Result<Vec<C>> {
         if coeffs.len() != self.source_dim {
             return Err(Error::CoefficientCount { expected: self.source_dim, found: coeffs.len() });
@@ -119,6 +136,16 @@ impl<T: Scalar> LinearMap<T> {
     ///
     /// # Errors
     /// [`Error::CoefficientCount`] if `first` does not give as many coefficients as `self` takes.
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::SplineSpace;
+    /// // The second derivative of a quadratic is one map.
+    /// let space = SplineSpace::bezier(2, 0.0, 1.0)?;
+    /// let twice = space.derivative_space()?.differentiation()?.after(&space.differentiation()?)?;
+    /// assert_eq!(twice.row(0), (0, &[2.0, -4.0, 2.0][..]));
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
     pub fn after(&self, first: &Self) -> Result<Self> {
         if first.target_dim() != self.source_dim {
             return Err(Error::CoefficientCount { expected: self.source_dim, found: first.target_dim() });
@@ -135,7 +162,37 @@ impl<T: Scalar> LinearMap<T> {
         Ok(composed)
     }
 
+    /// The functional `functional ∘ self`: what `functional` sees of the coefficients before the map.
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::SplineSpace;
+    /// // The slope at 1/2, as a functional of the coefficients of a quadratic.
+    /// let space = SplineSpace::bezier(2, 0.0, 1.0)?;
+    /// let slope = space.differentiation()?.pull_back(&space.derivative_space()?.basis(&0.5)?);
+    /// assert_eq!(slope.weights(), [-1.0, 0.0, 1.0]);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    pub fn pull_back(&self, functional: &Functional<T>) -> Functional<T> {
+        let mut gather = Gather::new(self.source_dim);
+        for (k, w) in functional.weights().iter().enumerate() {
+            let (first, factors) = self.row((functional.first() + k) % self.target_dim());
+            factors.iter().enumerate().for_each(|(l, f)| gather.add(first + l, w.clone() * f));
+        }
+        let mut weights = Vec::new();
+        let first = gather.drain_into(&mut weights);
+        Functional::new(first, weights)
+    }
+
     /// The transposed map.
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::SplineSpace;
+    /// let slope = SplineSpace::bezier(1, 0.0, 0.5)?.differentiation()?;
+    /// assert_eq!(slope.transpose().apply(&[1.0])?, [-2.0, 2.0]);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
     pub fn transpose(&self) -> Self {
         let mut columns: Vec<Vec<(usize, &T)>> = vec![Vec::new(); self.source_dim];
         for (i, (first, weights)) in self.rows().enumerate() {
@@ -156,6 +213,15 @@ impl<T: Scalar> LinearMap<T> {
     ///
     /// # Errors
     /// [`Error::TooLarge`] for more than [`MAX_ENTRIES`] entries.
+    ///
+    /// # Examples
+    /// ```
+    /// use nalgebra::matrix;
+    /// use symspline::SplineSpace;
+    /// let slope = SplineSpace::bezier(2, 0.0, 1.0)?.differentiation()?;
+    /// assert_eq!(slope.to_matrix()?, matrix![-2.0, 2.0, 0.0; 0.0, -2.0, 2.0]);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
     pub fn to_matrix(&self) -> Result<DMatrix<T>> {
         check_entries(self.target_dim(), self.source_dim)?;
         let mut matrix = DMatrix::from_element(self.target_dim(), self.source_dim, T::zero());
@@ -165,96 +231,6 @@ impl<T: Scalar> LinearMap<T> {
             }
         }
         Ok(matrix)
-    }
-}
-
-/// A bilinear map as rows: target coefficient `i` is `Σ w_kl c[k] d[l]` over a small window of index pairs.
-#[derive(Clone, Debug, PartialEq)]
-pub struct BilinearMap<T> {
-    dims: (usize, usize),
-    rows: Vec<BilinearRow<T>>,
-}
-
-/// One row of a [`BilinearMap`]: `weights[k][l]` belongs to the coefficients `first.0 + k` and `first.1 + l`.
-#[derive(Clone, Debug, PartialEq)]
-pub struct BilinearRow<T> {
-    /// The first indices, left and right.
-    pub first: (usize, usize),
-    /// One row of weights for each left index.
-    pub weights: Vec<Vec<T>>,
-}
-
-impl<T: Scalar> BilinearMap<T> {
-    /// The map with the given rows on `left_dim` by `right_dim` coefficients; all indices wrap.
-    ///
-    /// # Errors
-    /// [`Error::IndexOutOfRange`] if a row starts past the last coefficient of either side.
-    pub fn from_rows(
-        left_dim: usize,
-        right_dim: usize,
-        rows: impl IntoIterator<Item = BilinearRow<T>>,
-    ) -> Result<Self> {
-        let rows: Vec<_> = rows.into_iter().collect();
-        for BilinearRow { first: (left, right), .. } in &rows {
-            if *left >= left_dim {
-                return Err(Error::IndexOutOfRange { index: *left, length: left_dim });
-            }
-            if *right >= right_dim {
-                return Err(Error::IndexOutOfRange { index: *right, length: right_dim });
-            }
-        }
-        Ok(Self { dims: (left_dim, right_dim), rows })
-    }
-
-    /// The numbers of coefficients it takes on the left and on the right.
-    pub fn source_dims(&self) -> (usize, usize) {
-        self.dims
-    }
-
-    /// The number of coefficients it gives.
-    pub fn target_dim(&self) -> usize {
-        self.rows.len()
-    }
-
-    /// The rows.
-    pub fn rows(&self) -> &[BilinearRow<T>] {
-        &self.rows
-    }
-
-    /// The image of numbers `left` and any coefficients `right`.
-    ///
-    /// # Errors
-    /// [`Error::CoefficientCount`] if either count is wrong.
-    pub fn apply<C: Coeff<T>>(&self, left: &[T], right: &[C]) -> Result<Vec<C>> {
-        self.fix_left(left)?.apply(right)
-    }
-
-    /// The linear map of the right argument that remains when the left one is `left`.
-    ///
-    /// # Errors
-    /// [`Error::CoefficientCount`] if the count is wrong.
-    pub fn fix_left(&self, left: &[T]) -> Result<LinearMap<T>> {
-        if left.len() != self.dims.0 {
-            return Err(Error::CoefficientCount { expected: self.dims.0, found: left.len() });
-        }
-        let mut map = LinearMap::empty(self.dims.1, self.rows.len());
-        for row in &self.rows {
-            let factor = |k: usize| &left[(row.first.0 + k) % left.len()];
-            let width = row.weights.first().map_or(0, Vec::len);
-            let weight = |l: usize| T::dot(row.weights.iter().enumerate().map(|(k, w)| (factor(k), &w[l])));
-            map.push(row.first.1, |weights| weights.extend((0..width).map(weight)));
-        }
-        Ok(map)
-    }
-
-    /// The same map with its arguments exchanged.
-    pub fn swapped(&self) -> Self {
-        let swap = |row: &BilinearRow<T>| {
-            let width = row.weights.first().map_or(0, Vec::len);
-            let column = |l: usize| row.weights.iter().map(|w| w[l].clone()).collect();
-            BilinearRow { first: (row.first.1, row.first.0), weights: (0..width).map(column).collect() }
-        };
-        Self { dims: (self.dims.1, self.dims.0), rows: self.rows.iter().map(swap).collect() }
     }
 }
 

@@ -45,16 +45,6 @@ pub struct SplineSpace<T> {
     periodic: bool,
 }
 
-/// The parts of an open space: what its knots are left of, inside, and right of the domain.
-pub(crate) struct Parts<T> {
-    /// The `degree + 1` knots that end with the start of the domain.
-    pub left: Vec<T>,
-    /// The knots strictly inside the domain.
-    pub inner: Vec<(T, usize)>,
-    /// The `degree + 1` knots that start with the end of the domain.
-    pub right: Vec<T>,
-}
-
 impl<T: Scalar> SplineSpace<T> {
     /// The open space over a full knot vector, `n + p + 2` knots for `n + 1` coefficients.
     ///
@@ -82,6 +72,14 @@ impl<T: Scalar> SplineSpace<T> {
     ///
     /// # Errors
     /// As [`new`](Self::new).
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::{KnotVector, SplineSpace};
+    /// let knots = KnotVector::new([0.0, 0.0, 1.0, 1.0])?;
+    /// assert_eq!(SplineSpace::over(1, knots)?, SplineSpace::bezier(1, 0.0, 1.0)?);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
     pub fn over(degree: usize, knots: KnotVector<T>) -> Result<Self> {
         check_degree(degree)?;
         if knots.len() < 2 * degree + 2 {
@@ -105,6 +103,14 @@ impl<T: Scalar> SplineSpace<T> {
     ///
     /// # Errors
     /// As [`new`](Self::new), and [`Error::TooFewKnots`] for less than two breaks.
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::SplineSpace;
+    /// let space = SplineSpace::clamped(2, [0.0, 1.0, 1.0, 2.0])?;
+    /// assert_eq!(**space.knots(), [0.0, 0.0, 0.0, 1.0, 1.0, 2.0, 2.0, 2.0]);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
     pub fn clamped(degree: usize, breaks: impl IntoIterator<Item = T>) -> Result<Self> {
         check_degree(degree)?;
         let breaks = KnotVector::new(breaks)?;
@@ -119,6 +125,13 @@ impl<T: Scalar> SplineSpace<T> {
     ///
     /// # Errors
     /// As [`new`](Self::new).
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::SplineSpace;
+    /// assert_eq!(SplineSpace::bezier(3, 0.0, 1.0)?.dim(), 4);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
     pub fn bezier(degree: usize, a: T, b: T) -> Result<Self> {
         Self::clamped(degree, [a, b])
     }
@@ -127,6 +140,14 @@ impl<T: Scalar> SplineSpace<T> {
     ///
     /// # Errors
     /// As [`new`](Self::new); [`Error::TooLarge`] for more than [`MAX_DIM`] spans.
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::{Q, Scalar, SplineSpace};
+    /// let space = SplineSpace::uniform(1, 3, Q::int(0), Q::int(1))?;
+    /// assert_eq!(space, SplineSpace::clamped(1, [Q::int(0), Q::frac(1, 3), Q::frac(2, 3), Q::int(1)])?);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
     pub fn uniform(degree: usize, spans: usize, a: T, b: T) -> Result<Self> {
         check_dim(spans)?;
         let step = |i: usize| {
@@ -144,6 +165,15 @@ impl<T: Scalar> SplineSpace<T> {
     ///
     /// # Errors
     /// As [`new`](Self::new); [`Error::EmptyDomain`] if a knot lies a period or more after the first.
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::SplineSpace;
+    /// let ring = SplineSpace::periodic(2, [0.0, 1.0, 3.0], 4.0)?;
+    /// assert_eq!((ring.dim(), ring.domain()), (3, (&0.0, &4.0)));
+    /// assert_eq!(**ring.knots(), [-3.0, -1.0, 0.0, 1.0, 3.0, 4.0, 5.0, 7.0]);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
     pub fn periodic(degree: usize, knots: impl IntoIterator<Item = T>, period: T) -> Result<Self> {
         check_degree(degree)?;
         let round = KnotVector::new(knots)?;
@@ -249,6 +279,14 @@ impl<T: Scalar> SplineSpace<T> {
     }
 
     /// The indices `k` of the non-empty spans `[t_k, t_{k+1}]` of the domain, in order.
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::SplineSpace;
+    /// let space = SplineSpace::clamped(1, [0.0, 1.0, 1.0, 2.0])?;
+    /// assert_eq!(space.spans().collect::<Vec<_>>(), [1, 3]);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
     pub fn spans(&self) -> impl Iterator<Item = usize> + '_ {
         (self.degree..self.unrolled_dim()).filter(|&k| self.knots[k] < self.knots[k + 1])
     }
@@ -256,6 +294,14 @@ impl<T: Scalar> SplineSpace<T> {
     /// The distinct knots of the domain with their multiplicities, both ends included.
     ///
     /// At the ends all copies count, outside the domain too; in a periodic space both ends show the seam's.
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::SplineSpace;
+    /// let space = SplineSpace::clamped(2, [0.0, 1.0, 1.0, 2.0])?;
+    /// assert_eq!(space.breaks(), [(0.0, 3), (1.0, 2), (2.0, 3)]);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
     pub fn breaks(&self) -> Vec<(T, usize)> {
         let (a, b) = self.domain();
         let inside = |copies: &&[T]| *a <= copies[0] && copies[0] <= *b;
@@ -267,6 +313,13 @@ impl<T: Scalar> SplineSpace<T> {
     /// the middles of the spans).
     ///
     /// In a periodic space they are those of the unrolled coefficients `0 .. m`, and may lie left of the domain.
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::SplineSpace;
+    /// assert_eq!(SplineSpace::clamped(2, [0.0, 1.0, 3.0])?.greville(), [0.0, 0.5, 2.0, 3.0]);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
     pub fn greville(&self) -> Vec<T> {
         let t = self.knots();
         let mean = |i: usize| match self.degree {
@@ -314,33 +367,6 @@ impl<T: Scalar> SplineSpace<T> {
         }
         let text = |(a, b): (&T, &T)| format!("[{a}, {b}]");
         Err(Error::DomainMismatch { left: text(self.domain()), right: text(other.domain()) })
-    }
-
-    /// The parts of an open space; a periodic one is taken as the open space over its unrolled knots.
-    pub(crate) fn parts(&self) -> Parts<T> {
-        let t = self.knots();
-        let first_copy_of_end = self.last_span() + 1;
-        let inner = t[self.degree + 1..first_copy_of_end].chunk_by(T::eq);
-        Parts {
-            left: t[..=self.degree].to_vec(),
-            inner: inner.map(|copies| (copies[0].clone(), copies.len())).collect(),
-            right: t[first_copy_of_end..=first_copy_of_end + self.degree].to_vec(),
-        }
-    }
-
-    /// The open space of `degree` with these parts.
-    pub(crate) fn from_parts(degree: usize, parts: Parts<T>) -> Result<Self> {
-        let Parts { left, inner, right } = parts;
-        check_dim(inner.iter().map(|(_, count)| count).sum())?;
-        let copies = inner.into_iter().flat_map(|(t, count)| std::iter::repeat_n(t, count));
-        Self::new(degree, left.into_iter().chain(copies).chain(right))
-    }
-
-    /// The periodic space of `degree` with these distinct knots and multiplicities, the seam at the start only.
-    pub(crate) fn periodic_from_breaks(degree: usize, round: &[(T, usize)], period: T) -> Result<Self> {
-        check_dim(round.iter().map(|(_, count)| count).sum())?;
-        let copies = round.iter().flat_map(|(t, count)| std::iter::repeat_n(t.clone(), *count));
-        Self::periodic(degree, copies, period)
     }
 }
 

@@ -65,6 +65,13 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     ///
     /// # Errors
     /// [`Error::NotFinite`].
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::{Function, SplineSpace};
+    /// assert_eq!(Function::constant(SplineSpace::bezier(3, 0.0, 1.0)?, 7.0)?.at(&0.3)?, 7.0);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
     pub fn constant(space: SplineSpace<T>, value: C) -> Result<Self> {
         let coeffs = vec![value; space.dim()];
         Self::new(space, coeffs)
@@ -174,6 +181,15 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     ///
     /// # Errors
     /// [`Error::OutsideDomain`]; [`Error::CoefficientCount`] if the lengths differ.
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::Function;
+    /// let mut values = [0.0; 2];
+    /// Function::monomial(2, 0.0, 4.0)?.eval_into(&[1.0, 3.0], &mut values)?;
+    /// assert_eq!(values, [1.0, 9.0]);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
     pub fn eval_into(&self, parameters: &[T], values: &mut [C]) -> Result<()> {
         if parameters.len() != values.len() {
             return Err(Error::CoefficientCount { expected: parameters.len(), found: values.len() });
@@ -204,6 +220,13 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     ///
     /// # Errors
     /// [`Error::OutsideDomain`], [`Error::DegreeTooHigh`].
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::Function;
+    /// assert_eq!(Function::monomial(2, 0.0, 1.0)?.derivative_at(&0.5, 1)?, 1.0);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
     pub fn derivative_at(&self, x: &T, order: usize) -> Result<C> {
         check_degree(order)?;
         Ok(self.space.derivative_on(self.space.locate(x)?, x, order).apply(&self.coeffs))
@@ -268,6 +291,13 @@ impl<T: Scalar> Function<T> {
     ///
     /// # Errors
     /// [`Error::DegreeTooHigh`], [`Error::EmptyDomain`], [`Error::NotFinite`].
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::Function;
+    /// assert_eq!(Function::monomial(2, 1.0, 3.0)?.coeffs(), [1.0, 3.0, 9.0]);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
     pub fn monomial(power: usize, a: T, b: T) -> Result<Self> {
         let space = SplineSpace::bezier(power, a.clone(), b.clone())?;
         // The polar form of x^power is the product of its arguments.

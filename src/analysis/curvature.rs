@@ -65,6 +65,17 @@ impl<T: Real, C: Curved<T>> Spline<T, C> {
     ///
     /// # Errors
     /// As [`curvature_at`](Self::curvature_at).
+    ///
+    /// # Examples
+    /// ```
+    /// use nalgebra::vector;
+    /// use symspline::{Curve, SplineSpace};
+    /// let points = vec![vector![-1.0, 1.0], vector![0.0, -1.0], vector![1.0, 1.0]];
+    /// let parabola = Curve::new(SplineSpace::bezier(2, -1.0, 1.0)?, points)?;
+    /// let profile = parabola.curvature_profile(&[-1.0, 0.0, 1.0])?;
+    /// assert!(profile[1] == 2.0 && profile[0] == profile[2] && profile[0] < 0.2);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
     pub fn curvature_profile(&self, parameters: &[T]) -> Result<Vec<T>> {
         parameters.iter().map(|x| self.curvature_at(x)).collect()
     }

@@ -105,6 +105,15 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     ///
     /// # Errors
     /// [`Error::OutsideDomain`]; [`Error::CoefficientCount`] if the counts differ.
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::{Ends, Function, SplineSpace};
+    /// let (parameters, data) = ([0.0, 1.0, 2.0], [0.0, 3.0, 0.0]);
+    /// let fit = Function::least_squares(&SplineSpace::bezier(0, 0.0, 2.0)?, &parameters, &data, Ends::Free)?;
+    /// assert_eq!(fit.largest_squared_residual(&parameters, &data)?, 4.0);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
     pub fn largest_squared_residual(&self, parameters: &[T], data: &[C]) -> Result<T> {
         if parameters.len() != data.len() {
             return Err(Error::CoefficientCount { expected: parameters.len(), found: data.len() });

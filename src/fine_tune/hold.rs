@@ -41,6 +41,15 @@ impl Hold {
 }
 
 /// Vectors with a rotation and scaling from one to another.
+///
+/// # Examples
+/// ```
+/// use nalgebra::vector;
+/// use symspline::{Q, Scalar, Turnable};
+/// let [from, to] = [vector![Q::int(1), Q::int(0)], vector![Q::int(0), Q::int(2)]];
+/// let turn = Turnable::turn(&from, &to).expect("`from` is not zero");
+/// assert_eq!(turn(&to), vector![Q::int(-4), Q::int(0)]);
+/// ```
 pub trait Turnable<T: Scalar>: Coeff<T> {
     /// The similarity, without reflection, that takes `from` to `to`; nothing if `from` is zero.
     fn turn(from: &Self, to: &Self) -> Option<impl Fn(&Self) -> Self>;

@@ -31,6 +31,14 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     ///
     /// # Errors
     /// As [`sum`](Self::sum).
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::Function;
+    /// let [f, g] = [Function::monomial(1, 0.0, 1.0)?, Function::monomial(2, 0.0, 1.0)?];
+    /// assert_eq!(f.difference(&g)?.coeffs(), [0.0, 0.5, 0.0]);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
     pub fn difference(&self, other: &Self) -> Result<Self> {
         self.plus_scaled(&-T::one(), other)
     }
@@ -39,6 +47,14 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     ///
     /// # Errors
     /// As [`sum`](Self::sum).
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::Function;
+    /// let [f, g] = [Function::monomial(1, 0.0, 1.0)?, Function::monomial(2, 0.0, 1.0)?];
+    /// assert_eq!(f.plus_scaled(&3.0, &g)?.at(&1.0)?, 4.0);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
     pub fn plus_scaled(&self, weight: &T, other: &Self) -> Result<Self> {
         let space = self.space().union(other.space())?;
         let mut coeffs = self.embedded(&space)?.into_coeffs();
@@ -51,6 +67,13 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     ///
     /// # Errors
     /// [`NotFinite`](crate::Error::NotFinite) if the factor is not finite or a coefficient overflows.
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::Function;
+    /// assert_eq!(Function::monomial(1, 0.0, 1.0)?.scaled(&3.0)?.coeffs(), [0.0, 3.0]);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
     pub fn scaled(&self, factor: &T) -> Result<Self> {
         Spline::new(self.space().clone(), self.coeffs().iter().map(|c| c.scaled(factor)).collect())
     }
@@ -59,6 +82,13 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     ///
     /// # Errors
     /// [`NotFinite`](crate::Error::NotFinite) as for [`scaled`](Self::scaled).
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::Function;
+    /// assert_eq!(Function::monomial(1, 0.0, 1.0)?.translated(&5.0)?.coeffs(), [5.0, 6.0]);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
     pub fn translated(&self, by: &C) -> Result<Self> {
         let mut coeffs = self.coeffs().to_vec();
         coeffs.iter_mut().for_each(|c| c.add_scaled(&T::one(), by));
@@ -126,5 +156,75 @@ impl<T: Scalar, C: Coeff<T>> Mul<T> for &Spline<T, C> {
     /// With the text of its error.
     fn mul(self, factor: T) -> Spline<T, C> {
         self.scaled(&factor).unwrap_or_else(|error| panic!("{error}"))
+    }
+}
+
+/// The same signs for splines given by value.
+macro_rules! also_by_value {
+    ($($sign:ident $operator:ident),*) => {$(
+        impl<T: Scalar, C: Coeff<T>> $sign for Spline<T, C> {
+            type Output = Spline<T, C>;
+
+            fn $operator(self, other: Self) -> Spline<T, C> {
+                $sign::$operator(&self, &other)
+            }
+        }
+
+        impl<T: Scalar, C: Coeff<T>> $sign<&Spline<T, C>> for Spline<T, C> {
+            type Output = Spline<T, C>;
+
+            fn $operator(self, other: &Spline<T, C>) -> Spline<T, C> {
+                $sign::$operator(&self, other)
+            }
+        }
+
+        impl<T: Scalar, C: Coeff<T>> $sign<Spline<T, C>> for &Spline<T, C> {
+            type Output = Spline<T, C>;
+
+            fn $operator(self, other: Spline<T, C>) -> Spline<T, C> {
+                $sign::$operator(self, &other)
+            }
+        }
+    )*};
+}
+
+also_by_value!(Add add, Sub sub);
+
+impl<T: Scalar, C: Coeff<T>> Neg for Spline<T, C> {
+    type Output = Spline<T, C>;
+
+    fn neg(self) -> Spline<T, C> {
+        -&self
+    }
+}
+
+impl<T: Scalar, C: Coeff<T>> Mul<T> for Spline<T, C> {
+    type Output = Spline<T, C>;
+
+    fn mul(self, factor: T) -> Spline<T, C> {
+        &self * factor
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::spline::Function;
+
+    #[test]
+    fn signs_take_values_and_references() {
+        let f = Function::monomial(1, 0.0, 1.0).unwrap();
+        let g = Function::monomial(2, 0.0, 1.0).unwrap();
+        let (sum, difference) = (&f + &g, &f - &g);
+        assert_eq!((f.clone() + g.clone(), f.clone() + &g, &f + g.clone()), (sum.clone(), sum.clone(), sum));
+        assert_eq!(f.clone() - g.clone(), difference);
+        assert_eq!(-(f.clone() - &g), &g - f.clone());
+        assert_eq!(f.clone() * 2.0, &f + &f);
+    }
+
+    #[test]
+    #[should_panic(expected = "the domains [0, 1] and [0, 2] differ")]
+    fn signs_panic_with_the_text_of_the_error() {
+        let [f, g] = [1.0, 2.0].map(|b| Function::monomial(1, 0.0, b).unwrap());
+        let _ = f + g;
     }
 }

@@ -49,6 +49,14 @@ impl<T: Scalar> SplineSpace<T> {
     ///
     /// # Errors
     /// [`Error::Discontinuous`].
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::SplineSpace;
+    /// let map = SplineSpace::clamped(1, [0.0, 1.0, 3.0])?.differentiation()?;
+    /// assert_eq!(map.apply(&[0.0, 1.0, 5.0])?, [1.0, 2.0]);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
     pub fn differentiation(&self) -> Result<LinearMap<T>> {
         let (p, t, target) = (self.degree(), self.knots(), self.derivative_space()?);
         let mut map = LinearMap::empty(self.dim(), target.dim());
@@ -99,6 +107,13 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     ///
     /// # Errors
     /// As [`derivative`](Self::derivative).
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::Function;
+    /// assert_eq!(Function::monomial(3, 0.0, 1.0)?.nth_derivative(3)?.coeffs(), [6.0]);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
     pub fn nth_derivative(&self, order: usize) -> Result<Self> {
         crate::space::check_degree(order)?;
         (0..order).try_fold(self.clone(), |f, _| f.derivative())

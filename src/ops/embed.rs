@@ -132,6 +132,16 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     ///
     /// # Errors
     /// As [`SplineSpace::embedding`].
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::{Error, Function, SplineSpace};
+    /// let line = Function::monomial(1, 0.0, 2.0)?;
+    /// assert_eq!(line.embedded(&SplineSpace::clamped(2, [0.0, 1.0, 2.0])?)?.coeffs(), [0.0, 0.5, 1.5, 2.0]);
+    /// let steps = SplineSpace::clamped(0, [0.0, 1.0, 2.0])?;
+    /// assert_eq!(line.embedded(&steps).unwrap_err(), Error::DegreeTooLow { degree: 0, needed: 1 });
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
     pub fn embedded(&self, target: &SplineSpace<T>) -> Result<Self> {
         let steps = self.space().embedding_steps(target)?;
         let start = self.coeffs().to_vec();
@@ -177,6 +187,16 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     ///
     /// # Errors
     /// None for a valid spline.
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::{Function, SplineSpace};
+    /// let hat = Function::new(SplineSpace::new(1, [-1.0, 0.0, 1.0, 2.0])?, vec![0.0, 1.0])?;
+    /// let ring = Function::new(SplineSpace::periodic(2, [0.0, 1.0, 2.0], 3.0)?, vec![0.0, 2.0, 0.0])?;
+    /// assert_eq!(hat.clamped_ends()?.coeffs(), [0.0, 1.0]);
+    /// assert_eq!(ring.clamped_ends()?.coeffs(), [1.0, 2.0, 0.0, 0.0, 1.0]);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
     pub fn clamped_ends(&self) -> Result<Self> {
         self.embedded(&self.space().clamped_ends()?)
     }
@@ -188,6 +208,14 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     ///
     /// # Errors
     /// As [`SplineSpace::unclamped_ends`].
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::{Function, SplineSpace};
+    /// let ring = Function::new(SplineSpace::periodic(2, [0.0, 1.0, 2.0], 3.0)?, vec![0.0, 2.0, 0.0])?;
+    /// assert_eq!(ring.unclamped_ends()?.coeffs(), [0.0, 2.0, 0.0, 0.0, 2.0]);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
     pub fn unclamped_ends(&self) -> Result<Self> {
         self.embedded(&self.space().unclamped_ends()?)
     }

@@ -42,6 +42,15 @@ impl<T: Scalar> SplineSpace<T> {
     /// # Errors
     /// As [`gram`](Self::gram), and [`OutsideDomain`](crate::Error::OutsideDomain),
     /// [`EmptyDomain`](crate::Error::EmptyDomain).
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::SplineSpace;
+    /// let line = SplineSpace::bezier(1, 0.0, 2.0)?;
+    /// let slopes = line.gram_between(&line, 1, 1, &0.0, &1.0)?;
+    /// assert_eq!(slopes.row(0), (0, &[0.25, -0.25][..]));
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
     pub fn gram_between(&self, other: &Self, k: usize, l: usize, a: &T, b: &T) -> Result<LinearMap<T>> {
         self.check_same_domain(other)?;
         let (left, left_space) = self.nth_differentiation(k)?;
@@ -81,6 +90,14 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     ///
     /// # Errors
     /// As [`times`](Self::times).
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::Function;
+    /// let x = Function::monomial(1, 0.0, 1.0)?;
+    /// assert!((Function::monomial(2, 0.0, 1.0)?.weighted_integral(&x)? - 0.25).abs() < 1e-15);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
     pub fn weighted_integral(&self, weight: &Function<T>) -> Result<C> {
         self.times(weight)?.integral()
     }

@@ -44,6 +44,14 @@ impl<T: Scalar> SplineSpace<T> {
     /// # Errors
     /// [`Error::NotPeriodic`] for a periodic space, which has no such map; [`Error::DegreeTooHigh`],
     /// [`Error::TooLarge`].
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::SplineSpace;
+    /// let map = SplineSpace::bezier(1, 0.0, 2.0)?.antidifferentiation()?;
+    /// assert_eq!(map.apply(&[0.0, 2.0])?, [0.0, 0.0, 2.0]);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
     pub fn antidifferentiation(&self) -> Result<LinearMap<T>> {
         if self.is_periodic() {
             return Err(Error::NotPeriodic);
@@ -160,6 +168,14 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     ///
     /// # Errors
     /// [`Error::OutsideDomain`].
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::Function;
+    /// let line = Function::monomial(1, 0.0, 2.0)?;
+    /// assert_eq!((line.integral_between(&1.0, &2.0)?, line.integral_between(&2.0, &1.0)?), (1.5, -1.5));
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
     pub fn integral_between(&self, x: &T, y: &T) -> Result<C> {
         Ok(self.space().integral_between(x, y)?.apply(self.coeffs()))
     }

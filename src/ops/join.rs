@@ -2,8 +2,9 @@
 
 use crate::coeff::Coeff;
 use crate::error::{Error, Result};
+use crate::parts::Parts;
 use crate::scalar::Scalar;
-use crate::space::{Parts, SplineSpace};
+use crate::space::SplineSpace;
 use crate::spline::Spline;
 
 impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
@@ -34,6 +35,15 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     /// # Errors
     /// [`Error::DomainMismatch`] unless the domains meet; [`Error::EndsDoNotMeet`] unless the clamped end
     /// coefficients are equal, without tolerance; [`Error::DegreeTooLow`] for degree 0.
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::{Error, Function};
+    /// let [f, g] = [Function::monomial(1, 0.0, 1.0)?, Function::monomial(2, 1.0, 2.0)?];
+    /// assert_eq!(f.join_continuous(&g)?.coeffs(), [0.0, 0.5, 1.0, 2.0, 4.0]);
+    /// assert!(matches!(f.join_continuous(&g.scaled(&2.0)?), Err(Error::EndsDoNotMeet { .. })));
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
     pub fn join_continuous(&self, other: &Self) -> Result<Self> {
         let (f, g) = meeting(self, other)?;
         if f.degree() == 0 {

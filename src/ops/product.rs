@@ -10,9 +10,9 @@
 //! solved, and the cost is linear in the number of spans. That a coefficient of the product is a mean of products of
 //! polar values [Morken, 1991], [Ramshaw, 1989] is the definition with which the tests compare.
 
+use crate::bilinear::{BilinearMap, BilinearRow};
 use crate::coeff::Coeff;
 use crate::error::{Error, Result};
-use crate::map::{BilinearMap, BilinearRow};
 use crate::ops::bernstein::bernstein_shares;
 use crate::scalar::Scalar;
 use crate::space::SplineSpace;
@@ -104,6 +104,17 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     ///
     /// # Errors
     /// [`Error::DomainMismatch`], [`Error::DegreeTooHigh`]; [`Error::NotFinite`] on overflow.
+    ///
+    /// # Examples
+    /// ```
+    /// use nalgebra::vector;
+    /// use symspline::{Curve, SplineSpace};
+    /// // The complex product of two lines.
+    /// let line = Curve::new(SplineSpace::bezier(1, 0.0, 1.0)?, vec![vector![1.0, 0.0], vector![0.0, 1.0]])?;
+    /// let square = line.product_by(&line, |c, d| vector![c[0] * d[0] - c[1] * d[1], c[0] * d[1] + c[1] * d[0]])?;
+    /// assert_eq!(square.at(&1.0)?, vector![-1.0, 0.0]);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
     pub fn product_by<A, B>(&self, other: &Spline<T, A>, pair: impl Fn(&C, &A) -> B) -> Result<Spline<T, B>>
     where
         A: Coeff<T>,
@@ -170,6 +181,15 @@ impl<T: Scalar, const N: usize> Curve<T, N> {
     ///
     /// # Errors
     /// [`Error::IndexOutOfRange`].
+    ///
+    /// # Examples
+    /// ```
+    /// use nalgebra::vector;
+    /// use symspline::{Curve, SplineSpace};
+    /// let line = Curve::new(SplineSpace::bezier(1, 0.0, 1.0)?, vec![vector![1.0, 2.0], vector![3.0, 4.0]])?;
+    /// assert_eq!(line.coordinate(1)?.coeffs(), [2.0, 4.0]);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
     pub fn coordinate(&self, axis: usize) -> Result<Function<T>> {
         if axis >= N {
             return Err(Error::IndexOutOfRange { index: axis, length: N });
@@ -183,6 +203,17 @@ impl<T: Scalar> Curve<T, 2> {
     ///
     /// # Errors
     /// As [`product_by`](Spline::product_by).
+    ///
+    /// # Examples
+    /// ```
+    /// use nalgebra::vector;
+    /// use symspline::{Curve, SplineSpace};
+    /// let points = vec![vector![0.0, 0.0], vector![1.0, 0.0], vector![1.0, 1.0]];
+    /// let curve = Curve::new(SplineSpace::bezier(2, 0.0, 1.0)?, points)?;
+    /// // Twice the area swept from the origin.
+    /// assert!((curve.cross(&curve.derivative()?)?.integral()? - 2.0 / 3.0).abs() < 1e-15);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
     pub fn cross(&self, other: &Self) -> Result<Function<T>> {
         self.product_by(other, cross2)
     }
@@ -193,6 +224,16 @@ impl<T: Scalar> Curve<T, 3> {
     ///
     /// # Errors
     /// As [`product_by`](Spline::product_by).
+    ///
+    /// # Examples
+    /// ```
+    /// use nalgebra::vector;
+    /// use symspline::{Curve, SplineSpace};
+    /// let space = SplineSpace::bezier(1, 0.0, 1.0)?;
+    /// let [f, g] = [vector![1.0, 0.0, 0.0], vector![0.0, 1.0, 0.0]].map(|c| Curve::constant(space.clone(), c));
+    /// assert_eq!(f?.cross(&g?)?.at(&0.5)?, vector![0.0, 0.0, 1.0]);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
     pub fn cross(&self, other: &Self) -> Result<Self> {
         self.product_by(other, cross3)
     }
@@ -207,5 +248,13 @@ impl<T: Scalar, C: Coeff<T>> Mul<&Spline<T, C>> for &Function<T> {
     /// With the text of its error.
     fn mul(self, other: &Spline<T, C>) -> Spline<T, C> {
         other.times(self).unwrap_or_else(|error| panic!("{error}"))
+    }
+}
+
+impl<T: Scalar, C: Coeff<T>> Mul<Spline<T, C>> for Function<T> {
+    type Output = Spline<T, C>;
+
+    fn mul(self, other: Spline<T, C>) -> Spline<T, C> {
+        &self * &other
     }
 }

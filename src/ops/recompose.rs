@@ -16,6 +16,16 @@ impl<T: Scalar> SplineSpace<T> {
     ///
     /// # Errors
     /// None for a valid space.
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::{Function, SplineSpace};
+    /// let space = SplineSpace::clamped(2, [0.0, 1.0, 2.0])?;
+    /// let f = Function::new(space.clone(), vec![0.0, 1.0, 3.0, 0.0])?;
+    /// let pieces = f.embedded(&space.pieces(2)?)?;
+    /// assert_eq!(space.recomposition()?.apply(pieces.coeffs())?, f.coeffs());
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
     pub fn recomposition(&self) -> Result<LinearMap<T>> {
         let (p, tau) = (self.degree(), self.knots());
         let pieces = self.pieces(p)?;

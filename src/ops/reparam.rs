@@ -13,6 +13,14 @@ impl<T: Scalar> SplineSpace<T> {
     /// # Errors
     /// [`Error::EmptyDomain`] unless `start < end`, [`Error::NotFinite`];
     /// [`Error::Multiplicity`] if rounding makes distinct knots coincide.
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::SplineSpace;
+    /// let space = SplineSpace::clamped(1, [0.0, 1.0, 4.0])?.reparametrised(&0.0, &1.0)?;
+    /// assert_eq!(space, SplineSpace::clamped(1, [0.0, 0.25, 1.0])?);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
     pub fn reparametrised(&self, start: &T, end: &T) -> Result<Self> {
         if start.partial_cmp(end) != Some(Ordering::Less) {
             return Err(Error::EmptyDomain { start: start.to_string(), end: end.to_string() });

@@ -2,8 +2,9 @@
 
 use crate::coeff::Coeff;
 use crate::error::{Error, Result};
+use crate::parts::Parts;
 use crate::scalar::Scalar;
-use crate::space::{Parts, SplineSpace};
+use crate::space::SplineSpace;
 use crate::spline::Spline;
 
 impl<T: Scalar> SplineSpace<T> {
@@ -11,6 +12,14 @@ impl<T: Scalar> SplineSpace<T> {
     ///
     /// # Errors
     /// [`Error::OutsideDomain`], [`Error::EmptyDomain`].
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::SplineSpace;
+    /// let space = SplineSpace::clamped(1, [0.0, 1.0, 2.0])?.restricted_space(&0.5, &1.5)?;
+    /// assert_eq!(space, SplineSpace::clamped(1, [0.5, 1.0, 1.5])?);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
     pub fn restricted_space(&self, a: &T, b: &T) -> Result<Self> {
         self.locate(a)?;
         self.locate(b)?;
@@ -49,6 +58,14 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     ///
     /// # Errors
     /// [`Error::OutsideDomain`]; [`Error::EmptyDomain`] if `x` is an end.
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::Function;
+    /// let (left, right) = Function::monomial(1, 0.0, 2.0)?.split(&0.5)?;
+    /// assert_eq!((left.coeffs(), right.coeffs()), (&[0.0, 0.5][..], &[0.5, 2.0][..]));
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
     pub fn split(&self, x: &T) -> Result<(Self, Self)> {
         let (a, b) = self.domain();
         Ok((self.restricted(a, x)?, self.restricted(x, b)?))

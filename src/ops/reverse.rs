@@ -11,6 +11,14 @@ impl<T: Scalar> SplineSpace<T> {
     ///
     /// # Errors
     /// [`Multiplicity`](crate::Error::Multiplicity) if rounding makes distinct knots coincide.
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::SplineSpace;
+    /// let space = SplineSpace::clamped(1, [0.0, 1.0, 4.0])?;
+    /// assert_eq!(space.reversed()?, SplineSpace::clamped(1, [0.0, 3.0, 4.0])?);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
     pub fn reversed(&self) -> Result<Self> {
         let (a, b) = self.domain();
         let mirror = |t: &T| match () {
