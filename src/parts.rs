@@ -19,11 +19,11 @@ impl<T: Scalar> SplineSpace<T> {
     pub(crate) fn parts(&self) -> Parts<T> {
         let t = self.knots();
         let first_copy_of_end = self.last_span() + 1;
-        let inner = t[self.degree + 1..first_copy_of_end].chunk_by(T::eq);
+        let inner = t[self.degree() + 1..first_copy_of_end].chunk_by(T::eq);
         Parts {
-            left: t[..=self.degree].to_vec(),
+            left: t[..=self.degree()].to_vec(),
             inner: inner.map(|copies| (copies[0].clone(), copies.len())).collect(),
-            right: t[first_copy_of_end..=first_copy_of_end + self.degree].to_vec(),
+            right: t[first_copy_of_end..=first_copy_of_end + self.degree()].to_vec(),
         }
     }
 
