@@ -39,7 +39,7 @@ impl<T: Scalar> SplineSpace<T> {
         let sum = |present: usize, added: usize| present + added;
         if self.is_periodic() {
             let round = merge(self.round(), gather(added), sum);
-            return Self::periodic_from_breaks(self.degree(), &round, self.length());
+            return Self::from_round(self.degree(), &round, self.domain().1);
         }
         let parts = self.parts();
         let inner = merge(parts.inner, gather(added), sum);
@@ -88,7 +88,7 @@ impl<T: Scalar> SplineSpace<T> {
         let rounds = self.breaks().len().saturating_mul(raise);
         check_dim(self.dim().saturating_add(rounds))?;
         if self.is_periodic() {
-            return Self::periodic_from_breaks(degree, &raised(self.round()), self.length());
+            return Self::from_round(degree, &raised(self.round()), self.domain().1);
         }
         let Parts { left, inner, right } = self.parts();
         let copies = |knots: &[T]| -> Vec<T> {
@@ -143,7 +143,7 @@ impl<T: Scalar> SplineSpace<T> {
         }
         let mut round = vec![(self.domain().0.clone(), 1)];
         round.extend(self.parts().inner);
-        Self::periodic_from_breaks(self.degree(), &round, self.length())?.unclamped_ends()
+        Self::from_round(self.degree(), &round, self.domain().1)?.unclamped_ends()
     }
 
     /// The same space over other knots outside the domain: `before` are the `p` knots before its start, `after` the
@@ -195,7 +195,7 @@ impl<T: Scalar> SplineSpace<T> {
         let degree = self.degree().max(other.degree());
         let (f, g) = (self.elevated(degree - self.degree())?, other.elevated(degree - other.degree())?);
         if f.is_periodic() && g.is_periodic() {
-            return Self::periodic_from_breaks(degree, &merge(f.round(), g.round(), usize::max), f.length());
+            return Self::from_round(degree, &merge(f.round(), g.round(), usize::max), f.domain().1);
         }
         let (a, b) = self.domain();
         let (f, g, open) = (f.parts(), g.parts(), !f.is_periodic() && !g.is_periodic());
@@ -234,7 +234,7 @@ impl<T: Scalar> SplineSpace<T> {
             |knots: Vec<(T, usize)>, by: usize| knots.into_iter().map(|(t, m)| (t, m + by)).collect();
         if self.is_periodic() && other.is_periodic() {
             let round = merge(raised(self.round(), q), raised(other.round(), p), usize::max);
-            return Self::periodic_from_breaks(p + q, &round, self.length());
+            return Self::from_round(p + q, &round, self.domain().1);
         }
         let inner = merge(raised(self.parts().inner, q), raised(other.parts().inner, p), usize::max);
         let (a, b) = self.domain();

@@ -1,6 +1,7 @@
 //! Spaces taken apart and put together again: how one space is made from another.
 
 use crate::error::Result;
+use crate::knots::KnotVector;
 use crate::scalar::Scalar;
 use crate::space::{SplineSpace, check_dim};
 
@@ -35,17 +36,16 @@ impl<T: Scalar> SplineSpace<T> {
         Self::new(degree, left.into_iter().chain(copies).chain(right))
     }
 
-    /// The periodic space of `degree` with these distinct knots and multiplicities, the seam at the start only.
-    pub(crate) fn periodic_from_breaks(degree: usize, round: &[(T, usize)], period: T) -> Result<Self> {
-        check_dim(round.iter().map(|(_, count)| count).sum())?;
-        let copies = round.iter().flat_map(|(t, count)| std::iter::repeat_n(t.clone(), *count));
-        Self::periodic(degree, copies, period)
-    }
-
     /// The distinct knots of a period with their multiplicities, the seam at the start only.
     pub(crate) fn round(&self) -> Vec<(T, usize)> {
-        let mut breaks = self.breaks();
-        breaks.pop();
-        breaks
+        let copies = self.round_knots().chunk_by(T::eq);
+        copies.map(|copies| (copies[0].clone(), copies.len())).collect()
+    }
+
+    /// The periodic space of `degree` with these distinct knots and multiplicities, whose seam comes again at `end`.
+    pub(crate) fn from_round(degree: usize, round: &[(T, usize)], end: &T) -> Result<Self> {
+        check_dim(round.iter().map(|(_, count)| count).sum())?;
+        let copies = round.iter().flat_map(|(t, count)| std::iter::repeat_n(t.clone(), *count));
+        Self::joined(degree, &KnotVector::new(copies)?, end.clone())
     }
 }

@@ -175,15 +175,19 @@ impl<T: Scalar> SplineSpace<T> {
     /// # Ok::<(), symspline::Error>(())
     /// ```
     pub fn periodic(degree: usize, knots: impl IntoIterator<Item = T>, period: T) -> Result<Self> {
-        check_degree(degree)?;
         let round = KnotVector::new(knots)?;
-        let m = round.len();
-        let (Some(a), Some(last)) = (round.first(), round.last()) else {
-            return Err(Error::TooFewKnots { expected: 1, found: 0 });
-        };
-        check_dim(m)?;
-        let end = a.clone() + &period;
-        if !end.is_finite() || *last >= end || *a >= end {
+        match round.first() {
+            Some(a) => Self::joined(degree, &round, a.clone() + period),
+            None => Err(Error::TooFewKnots { expected: 1, found: 0 }),
+        }
+    }
+
+    /// The periodic space whose knots run once round from the seam, which comes again at `end`.
+    pub(crate) fn joined(degree: usize, round: &KnotVector<T>, end: T) -> Result<Self> {
+        check_degree(degree)?;
+        check_dim(round.len())?;
+        let (m, a) = (round.len(), &round[0]);
+        if !end.is_finite() || round[m - 1] >= end {
             return Err(Error::EmptyDomain { start: a.to_string(), end: end.to_string() });
         }
         let seam = round.iter().take_while(|t| *t == a).count();
@@ -192,11 +196,14 @@ impl<T: Scalar> SplineSpace<T> {
         }
         // Unrolled index j stands `shift` knots before the seam's first copy.
         let shift = (degree + 1 - seam) as i64;
+        let period = end.clone() - a;
         let unrolled = (0..(m + 2 * degree + 1) as i64).map(|j| {
-            let (turns, i) = ((j - shift).div_euclid(m as i64), (j - shift).rem_euclid(m as i64));
+            let (turns, i) = ((j - shift).div_euclid(m as i64), (j - shift).rem_euclid(m as i64) as usize);
             match turns {
-                0 => round[i as usize].clone(),
-                _ => round[i as usize].clone() + period.clone() * T::int(turns),
+                0 => round[i].clone(),
+                // The end of the domain is what was given, not a rounded sum.
+                1 if i < seam => end.clone(),
+                _ => round[i].clone() + period.clone() * T::int(turns),
             }
         });
         let space = Self { degree, knots: KnotVector::new(unrolled)?, dim: m, periodic: true };
@@ -346,18 +353,17 @@ impl<T: Scalar> SplineSpace<T> {
     /// The first error of `convert`, and those of [`new`](Self::new) if the converted knots do not serve.
     pub fn map_scalars<U: Scalar>(&self, mut convert: impl FnMut(&T) -> Result<U>) -> Result<SplineSpace<U>> {
         if self.periodic {
-            let (a, b) = self.domain();
-            let period = convert(b)? - convert(a)?;
-            let round = self.breaks_round().map(&mut convert).collect::<Result<Vec<U>>>()?;
-            return SplineSpace::periodic(self.degree, round, period);
+            let end = convert(self.domain().1)?;
+            let round = self.round_knots().iter().map(&mut convert).collect::<Result<Vec<U>>>()?;
+            return SplineSpace::joined(self.degree, &KnotVector::new(round)?, end);
         }
         SplineSpace::new(self.degree, self.knots.iter().map(convert).collect::<Result<Vec<U>>>()?)
     }
 
     /// The knots of one period, from the first copy of the seam.
-    fn breaks_round(&self) -> impl Iterator<Item = &T> {
+    pub(crate) fn round_knots(&self) -> &[T] {
         let first = self.last_span() + 1 - self.dim;
-        self.knots[first..first + self.dim].iter()
+        &self.knots[first..first + self.dim]
     }
 
     /// Checks that a spline of this space and one of `other` have the same domain.

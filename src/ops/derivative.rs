@@ -39,7 +39,7 @@ impl<T: Scalar> SplineSpace<T> {
             return Ok(self.clone());
         }
         if self.is_periodic() {
-            return Self::periodic_from_breaks(p - 1, &inside, self.length());
+            return Self::from_round(p - 1, &inside, self.domain().1);
         }
         let t = self.knots();
         Self::new(p - 1, t[1..t.len() - 1].iter().cloned())

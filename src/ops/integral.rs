@@ -31,7 +31,7 @@ impl<T: Scalar> SplineSpace<T> {
     pub fn antiderivative_space(&self) -> Result<Self> {
         check_degree(self.degree() + 1)?;
         if self.is_periodic() {
-            return Self::periodic_from_breaks(self.degree() + 1, &self.round(), self.length());
+            return Self::from_round(self.degree() + 1, &self.round(), self.domain().1);
         }
         let t = self.knots();
         let (first, last) = (t[0].clone(), t[t.len() - 1].clone());

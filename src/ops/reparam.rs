@@ -35,7 +35,7 @@ impl<T: Scalar> SplineSpace<T> {
         };
         if self.is_periodic() {
             let round: Vec<(T, usize)> = self.round().iter().map(|(t, m)| (moved(t), *m)).collect();
-            return Self::periodic_from_breaks(self.degree(), &round, to);
+            return Self::from_round(self.degree(), &round, end);
         }
         Self::new(self.degree(), self.knots().iter().map(moved))
     }

@@ -31,7 +31,7 @@ impl<T: Scalar> SplineSpace<T> {
             let mut round: Vec<(T, usize)> =
                 self.breaks()[1..].iter().map(|(t, m)| (mirror(t), *m)).collect();
             round.reverse();
-            return Self::periodic_from_breaks(self.degree(), &round, self.length());
+            return Self::from_round(self.degree(), &round, self.domain().1);
         }
         Self::new(self.degree(), self.knots().iter().rev().map(mirror))
     }

@@ -19,7 +19,7 @@ use nalgebra::SVector;
 use symspline::{Curve, Error, Function, Q, Result, Scalar, SplineSpace};
 
 /// The bound over `f64`, in units of epsilon times the largest coordinate.
-const FACTOR: f64 = 16.0;
+const FACTOR: f64 = 4.0;
 
 type Rows<T> = Vec<Vec<T>>;
 

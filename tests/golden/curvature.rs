@@ -5,7 +5,7 @@ use crate::data::Case;
 use symspline::{Curve, Function, Q, Result};
 
 /// The bound over `f64`: relative to the size of the numbers of which `N` and `S` are sums, in epsilons.
-const FACTOR: f64 = 16.0;
+const FACTOR: f64 = 1.0;
 
 /// `N` and `S` of a plane curve.
 fn turning_and_speed(curve: &Curve<Q, 2>) -> Result<[Function<Q>; 2]> {

@@ -73,7 +73,7 @@ struct Product;
 impl Golden for Product {
     const CATEGORY: &'static str = "product";
     const CASES: usize = 7;
-    const FACTOR: f64 = 16.0;
+    const FACTOR: f64 = 8.0;
 
     fn found<T: Field>(case: Case) -> Result<Answer<T>> {
         fn product<T: Field, const N: usize>(case: Case) -> Result<Answer<T>> {

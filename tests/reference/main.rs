@@ -1,0 +1,15 @@
+//! Numbers and identities from the literature. Facts only; each file names its source in the first line.
+
+mod miura;
+mod moments;
+mod nurbs_book;
+mod subdivision;
+mod vassilev;
+
+use nalgebra::SVector;
+use symspline::Q;
+
+/// A point with integer coordinates.
+fn point<const N: usize>(coordinates: [i64; N]) -> SVector<Q, N> {
+    SVector::from(coordinates.map(Q::from))
+}
