@@ -7,11 +7,11 @@
 //! Arithmetic reduces by a few gcds of small numbers, and the lossless image of an `f64`, which has a power of two below,
 //! by none at all: there a gcd is a count of trailing zeros.
 
+mod gcd;
+mod fraction;
 mod arithmetic;
 mod convert;
 mod dot;
-mod fraction;
-mod gcd;
 
 use crate::error::{Error, Result};
 use crate::scalar::Scalar;
