@@ -1,4 +1,4 @@
-//! Inner products and Gram matrices.
+//! Inner products, Gram matrices and moments.
 //!
 //! ```text
 //! <f, g> = ∫ f g        G_ij = ∫ N_i^(k) M_j^(l)
@@ -9,6 +9,7 @@
 
 use crate::coeff::Coeff;
 use crate::error::Result;
+use crate::functional::Functional;
 use crate::map::LinearMap;
 use crate::ops::bernstein::bernstein_shares;
 use crate::scalar::Scalar;
@@ -74,6 +75,25 @@ impl<T: Scalar> SplineSpace<T> {
         left.transpose().after(&blocks.after(&right)?)
     }
 
+    /// The moment `f -> ∫ x^power f(x) dx` over the domain, as a functional.
+    ///
+    /// # Errors
+    /// [`DegreeTooHigh`](crate::Error::DegreeTooHigh); [`NotFinite`](crate::Error::NotFinite) if a power of an end of the
+    /// domain overflows.
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::{Q, Scalar, SplineSpace};
+    /// let line = SplineSpace::bezier(1, Q::int(0), Q::int(1))?;
+    /// assert_eq!(line.moment(1)?.weights(), [Q::frac(1, 6), Q::frac(1, 3)]);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    pub fn moment(&self, power: usize) -> Result<Functional<T>> {
+        let (a, b) = self.domain();
+        let monomial = Function::monomial(power, a.clone(), b.clone())?;
+        Ok(Functional::new(0, self.gram(monomial.space(), 0, 0)?.apply(monomial.coeffs())?))
+    }
+
     /// The derivative of order `order` as a map, with its space.
     fn nth_differentiation(&self, order: usize) -> Result<(LinearMap<T>, Self)> {
         crate::space::check_degree(order)?;
@@ -86,6 +106,22 @@ impl<T: Scalar> SplineSpace<T> {
 }
 
 impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
+    /// The moment `∫ x^power f(x) dx` over the domain.
+    ///
+    /// # Errors
+    /// As [`SplineSpace::moment`].
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::{Function, SplineSpace};
+    /// let one = Function::constant(SplineSpace::bezier(0, 0.0, 2.0)?, 1.0)?;
+    /// assert_eq!(one.moment(1)?, 2.0);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    pub fn moment(&self, power: usize) -> Result<C> {
+        Ok(self.space().moment(power)?.apply(self.coeffs()))
+    }
+
     /// The integral of the product with a scalar spline, `∫ f w`.
     ///
     /// # Errors

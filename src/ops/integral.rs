@@ -1,4 +1,4 @@
-//! Antiderivatives, definite integrals and moments.
+//! Antiderivatives and definite integrals.
 //!
 //! ```text
 //! d_0 = 0,   d_{i+1} = d_i + c_i (t_{i+p+1} - t_i) / (p + 1)          [deBoor, p. 128]
@@ -13,7 +13,7 @@ use crate::map::{LinearMap, check_entries};
 use crate::polar::blossom;
 use crate::scalar::Scalar;
 use crate::space::{SplineSpace, check_degree};
-use crate::spline::{Function, Spline};
+use crate::spline::Spline;
 
 impl<T: Scalar> SplineSpace<T> {
     /// The space of the antiderivatives: one degree higher, the same knots inside, so one order smoother.
@@ -178,24 +178,5 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     /// ```
     pub fn integral_between(&self, x: &T, y: &T) -> Result<C> {
         Ok(self.space().integral_between(x, y)?.apply(self.coeffs()))
-    }
-
-    /// The moment `∫ x^power f(x) dx` over the domain.
-    ///
-    /// # Errors
-    /// [`Error::DegreeTooHigh`].
-    ///
-    /// # Examples
-    /// ```
-    /// use symspline::{Function, SplineSpace};
-    /// let one = Function::constant(SplineSpace::bezier(0, 0.0, 2.0)?, 1.0)?;
-    /// assert_eq!(one.moment(1)?, 2.0);
-    /// # Ok::<(), symspline::Error>(())
-    /// ```
-    pub fn moment(&self, power: usize) -> Result<C> {
-        check_degree(self.degree().saturating_add(power))?;
-        let (a, b) = self.domain();
-        let monomial = Function::monomial(power, a.clone(), b.clone())?;
-        self.clamped_ends()?.times(&monomial)?.integral()
     }
 }

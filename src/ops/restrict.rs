@@ -2,6 +2,7 @@
 
 use crate::coeff::Coeff;
 use crate::error::{Error, Result};
+use crate::map::LinearMap;
 use crate::parts::Parts;
 use crate::scalar::Scalar;
 use crate::space::SplineSpace;
@@ -29,6 +30,22 @@ impl<T: Scalar> SplineSpace<T> {
         let end = |t: &T| vec![t.clone(); self.degree() + 1];
         let inner = self.parts().inner.into_iter().filter(|(t, _)| a < t && t < b).collect();
         Self::from_parts(self.degree(), Parts { left: end(a), inner, right: end(b) })
+    }
+
+    /// The restriction to `[a, b]` as a map to [`restricted_space`](Self::restricted_space).
+    ///
+    /// # Errors
+    /// As [`restricted_space`](Self::restricted_space).
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::SplineSpace;
+    /// let half = SplineSpace::bezier(2, 0.0, 1.0)?.restriction(&0.0, &0.5)?;
+    /// assert_eq!(half.apply(&[0.0, 2.0, 0.0])?, [0.0, 1.0, 1.0]);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    pub fn restriction(&self, a: &T, b: &T) -> Result<LinearMap<T>> {
+        Ok(self.insertion_rows(&self.restricted_space(a, b)?))
     }
 }
 

@@ -2,6 +2,7 @@
 
 use crate::coeff::Coeff;
 use crate::error::Result;
+use crate::map::LinearMap;
 use crate::scalar::Scalar;
 use crate::space::SplineSpace;
 use crate::spline::Spline;
@@ -35,6 +36,24 @@ impl<T: Scalar> SplineSpace<T> {
         }
         Self::new(self.degree(), self.knots().iter().rev().map(mirror))
     }
+
+    /// The reversal as a map to the [`reversed`](Self::reversed) space: a permutation.
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::SplineSpace;
+    /// let space = SplineSpace::clamped(1, [0.0, 1.0, 4.0])?;
+    /// assert_eq!(space.reversal().apply(&[1.0, 2.0, 3.0])?, [3.0, 2.0, 1.0]);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    pub fn reversal(&self) -> LinearMap<T> {
+        // The last unrolled coefficient that reaches into the domain; in an open space the last.
+        let last = self.last_span();
+        let mut map = LinearMap::empty(self.dim(), self.dim());
+        (0..self.dim())
+            .for_each(|i| map.push(self.slot(last + self.dim() - i), |weights| weights.push(T::one())));
+        map
+    }
 }
 
 impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
@@ -51,10 +70,7 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     /// # Ok::<(), symspline::Error>(())
     /// ```
     pub fn reversed(&self) -> Result<Self> {
-        let space = self.space();
-        // The last unrolled coefficient that reaches into the domain; in an open space the last.
-        let last = space.last_span();
-        let coeffs = (0..space.dim()).map(|i| self.coeff(last + space.dim() - i).clone()).collect();
-        Spline::new(space.reversed()?, coeffs)
+        let coeffs = self.space().reversal().apply(self.coeffs())?;
+        Spline::new(self.space().reversed()?, coeffs)
     }
 }
