@@ -61,12 +61,6 @@ impl<T: Scalar> Functional<T> {
         }
         dense
     }
-
-    /// The multiple by `factor`.
-    pub(crate) fn scaled(mut self, factor: &T) -> Self {
-        self.weights.iter_mut().for_each(|w| *w *= factor);
-        self
-    }
 }
 
 /// `Σ_k weights[k] coeffs[first + k]`, indices wrapped.

@@ -154,7 +154,7 @@ impl<T: Scalar> LinearMap<T> {
         let mut composed = Self::empty(first.source_dim, self.target_dim());
         for (start, weights) in self.rows() {
             for (k, w) in weights.iter().enumerate() {
-                let (inner, factors) = first.row((start + k) % self.source_dim);
+                let (inner, factors) = first.row(wrap(start + k, self.source_dim));
                 factors.iter().enumerate().for_each(|(l, f)| gather.add(inner + l, w.clone() * f));
             }
             composed.push_with(|weights| gather.drain_into(weights));
@@ -197,7 +197,7 @@ impl<T: Scalar> LinearMap<T> {
         let mut columns: Vec<Vec<(usize, &T)>> = vec![Vec::new(); self.source_dim];
         for (i, (first, weights)) in self.rows().enumerate() {
             for (k, w) in weights.iter().enumerate() {
-                columns[(first + k) % self.source_dim].push((i, w));
+                columns[wrap(first + k, self.source_dim)].push((i, w));
             }
         }
         let mut gather = Gather::new(self.target_dim());
@@ -245,34 +245,43 @@ pub(crate) fn check_entries(rows: usize, columns: usize) -> Result<()> {
 /// A sum of weights at scattered indices, gathered into one row.
 struct Gather<T> {
     dense: Vec<T>,
+    seen: Vec<bool>,
+    /// The slots seen, each once.
     touched: Vec<usize>,
 }
 
 impl<T: Scalar> Gather<T> {
     fn new(dim: usize) -> Self {
-        Self { dense: vec![T::zero(); dim], touched: Vec::new() }
+        Self { dense: vec![T::zero(); dim], seen: vec![false; dim], touched: Vec::new() }
     }
 
     fn add(&mut self, index: usize, weight: T) {
-        let slot = index % self.dense.len();
+        let slot = wrap(index, self.dense.len());
         self.dense[slot] += weight;
-        self.touched.push(slot);
+        if !std::mem::replace(&mut self.seen[slot], true) {
+            self.touched.push(slot);
+        }
     }
 
     /// Appends the shortest row, cyclically, that holds all touched weights; returns its first index.
     fn drain_into(&mut self, weights: &mut Vec<T>) -> usize {
         let dim = self.dense.len();
         self.touched.sort_unstable();
-        self.touched.dedup();
         let Some((&lowest, &highest)) = self.touched.first().zip(self.touched.last()) else { return 0 };
         // The row starts after the widest gap between touched slots; the gap at the seam wins ties.
         let seam_gap = lowest + dim - highest;
         let inner = self.touched.windows(2).map(|pair| (pair[1] - pair[0], pair[1]));
         let widest = inner.max_by_key(|gap| gap.0).filter(|gap| gap.0 > seam_gap);
         let (gap, first) = widest.unwrap_or((seam_gap, lowest));
-        let take = |i: usize| std::mem::replace(&mut self.dense[(first + i) % dim], T::zero());
+        let take = |i: usize| std::mem::replace(&mut self.dense[wrap(first + i, dim)], T::zero());
         weights.extend((0..=dim - gap).map(take));
-        self.touched.clear();
+        self.touched.drain(..).for_each(|slot| self.seen[slot] = false);
         first
     }
+}
+
+/// `index` modulo `dim`, without a division where it need not wrap.
+#[inline]
+fn wrap(index: usize, dim: usize) -> usize {
+    if index < dim { index } else { index % dim }
 }

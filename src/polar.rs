@@ -38,6 +38,26 @@ pub(crate) fn blossom<'a, T: Scalar>(
     }
 }
 
+/// Appends the weights of the polar value at `args` on the Bernstein coefficients over `[a, b]`; returns the index of
+/// the first. Arguments at the ends cost nothing.
+#[inline]
+pub(crate) fn bernstein_blossom<T: Scalar>(a: &T, b: &T, args: &[T], weights: &mut Vec<T>) -> usize {
+    let start = weights.len();
+    weights.push(T::one());
+    for x in args.iter().filter(|x| *x != a && *x != b) {
+        let width = b.clone() - a;
+        let (u, v) = ((x.clone() - a) / &width, (b.clone() - x) / &width);
+        let mut saved = T::zero();
+        for w in &mut weights[start..] {
+            let share = std::mem::replace(w, saved);
+            *w += v.clone() * &share;
+            saved = share * &u;
+        }
+        weights.push(saved);
+    }
+    args.iter().filter(|x| *x == b).count()
+}
+
 /// One further argument that is a direction: `weights`, of a polar form with `r` arguments around the knot run
 /// `t_{lo+1}, ..., t_{hi}`, become those of `r + 1` arguments, the last of them the unit direction.
 pub(crate) fn differentiate<T: Scalar>(t: &[T], lo: usize, hi: usize, weights: &mut Vec<T>) {
@@ -54,6 +74,7 @@ pub(crate) fn differentiate<T: Scalar>(t: &[T], lo: usize, hi: usize, weights: &
 
 /// Takes from the sorted arguments the longest run of knots around span `k`: returns `(lo, hi)` of the run and
 /// leaves the other arguments in `free`.
+#[inline]
 pub(crate) fn take_run<'a, T: Scalar>(
     t: &[T],
     k: usize,
@@ -61,30 +82,13 @@ pub(crate) fn take_run<'a, T: Scalar>(
     free: &mut Vec<&'a T>,
 ) -> (usize, usize) {
     free.clear();
-    let middle = args.partition_point(|x| **x <= t[k]);
-    let (mut lo, mut rest) = (k, &args[..middle]);
-    while let Some((x, before)) = rest.split_last() {
-        if **x == t[lo] {
-            lo -= 1;
-        } else if **x > t[lo] {
-            free.push(x);
-        } else {
-            break;
-        }
-        rest = before;
+    let (mut lo, mut hi) = (k, k);
+    let middle = args.iter().take_while(|x| ***x <= t[k]).count();
+    for x in args[..middle].iter().rev() {
+        if **x == t[lo] { lo -= 1 } else { free.push(x) }
     }
-    free.extend_from_slice(rest);
-    let (mut hi, mut rest) = (k, &args[middle..]);
-    while let Some((x, after)) = rest.split_first() {
-        if **x == t[hi + 1] {
-            hi += 1;
-        } else if **x < t[hi + 1] {
-            free.push(x);
-        } else {
-            break;
-        }
-        rest = after;
+    for x in &args[middle..] {
+        if **x == t[hi + 1] { hi += 1 } else { free.push(x) }
     }
-    free.extend_from_slice(rest);
     (lo, hi)
 }

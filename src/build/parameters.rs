@@ -101,8 +101,9 @@ pub fn approximation_space<T: Scalar>(
     }
     let spans = controls - degree;
     let knot = |j: usize| {
-        // The position j * count / spans among the parameters, as whole and fractional part.
-        let (i, part) = (j * count / spans, T::frac((j * count % spans) as i64, spans as i64));
+        // The position j * count / spans among the parameters, as whole and fractional part; steps change half way.
+        let (i, rest) = (j * count / spans, j * count % spans);
+        let part = if degree == 0 { T::frac(1, 2) } else { T::frac(rest as i64, spans as i64) };
         parameters[i - 1].clone() + (parameters[i].clone() - &parameters[i - 1]) * part
     };
     let (a, b) = (parameters[0].clone(), parameters[count - 1].clone());

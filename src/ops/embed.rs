@@ -11,7 +11,7 @@ use crate::coeff::Coeff;
 use crate::error::Result;
 use crate::map::LinearMap;
 use crate::scalar::Scalar;
-use crate::space::SplineSpace;
+use crate::space::{SplineSpace, check_degree};
 use crate::spline::Spline;
 
 impl<T: Scalar> SplineSpace<T> {
@@ -81,16 +81,19 @@ impl<T: Scalar> SplineSpace<T> {
             let k = walk.span_right_of(later(&tau[j], raised.domain().0));
             let knots = &tau[j + 1..=j + p + 1];
             let (mut low, mut high) = (p, 0);
+            args.clear();
+            args.extend(&knots[1..]);
             let mut skip = 0;
             for copies in knots.chunk_by(T::eq) {
-                args.clear();
-                args.extend(knots[..skip].iter().chain(&knots[skip + 1..]));
-                skip += copies.len();
                 part.clear();
                 let first = self.polar_into(k, &args, &mut free, &mut part) + p - k;
                 let count = T::int(copies.len() as i64);
                 part.iter().enumerate().for_each(|(l, w)| row[first + l] += count.clone() * w);
                 (low, high) = (low.min(first), high.max(first + part.len()));
+                // The next to leave out comes after these copies.
+                let passed = skip..(skip + copies.len()).min(p);
+                args[passed.clone()].iter_mut().zip(&knots[passed]).for_each(|(arg, t)| *arg = t);
+                skip += copies.len();
             }
             map.push(k - p + low, |weights| {
                 let mean = |sum: &mut T| std::mem::replace(sum, T::zero()) / T::int(p as i64 + 1);
@@ -180,7 +183,12 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     /// # Ok::<(), symspline::Error>(())
     /// ```
     pub fn elevated(&self, raise: usize) -> Result<Self> {
-        self.embedded(&self.space().elevated(raise)?)
+        check_degree(self.degree().saturating_add(raise))?;
+        (0..raise).try_fold(self.clone(), |f, _| {
+            let space = f.space().elevated(1)?;
+            let coeffs = f.space().elevation_rows(&space).apply(f.coeffs())?;
+            Spline::new(space, coeffs)
+        })
     }
 
     /// The same function with clamped ends; a periodic one is opened at its seam.

@@ -7,6 +7,7 @@
 
 use crate::error::Result;
 use crate::map::LinearMap;
+use crate::polar::bernstein_blossom;
 use crate::scalar::Scalar;
 use crate::space::SplineSpace;
 
@@ -28,36 +29,34 @@ impl<T: Scalar> SplineSpace<T> {
     /// ```
     pub fn recomposition(&self) -> Result<LinearMap<T>> {
         let (p, tau) = (self.degree(), self.knots());
-        let pieces = self.pieces(p)?;
-        let spans: Vec<usize> = pieces.spans().collect();
-        let breaks: Vec<&T> = spans.iter().map(|&k| &pieces.knots()[k]).chain([pieces.domain().1]).collect();
-        let mut map = LinearMap::empty(pieces.dim(), self.dim());
-        let (mut args, mut free) = (Vec::with_capacity(p), Vec::with_capacity(p));
-        // The spans under unrolled coefficient j; a wrapped coefficient also has those of its other end.
+        let breaks = self.breaks();
+        let mut map = LinearMap::empty((p + 1) * (breaks.len() - 1), self.dim());
+        // The first span under each unrolled coefficient; a wrapped one may lie past the last span altogether.
         let mut start = 0;
-        let mut under = |j: usize| {
-            while start + 1 < spans.len() && *breaks[start + 1] <= tau[j] {
+        let mut first_under = |j: usize| {
+            while start + 1 < breaks.len() && breaks[start + 1].0 <= tau[j] {
                 start += 1;
             }
-            // A wrapped coefficient may lie past the last span altogether.
-            let from = start + usize::from(*breaks[start + 1] <= tau[j]);
-            let count = breaks[from..spans.len()].iter().take_while(|a| ***a < tau[j + p + 1]).count();
-            (j, from, from + count)
+            start
         };
-        let mut candidates: Vec<_> = (0..self.unrolled_dim()).map(&mut under).collect();
-        let wrapped = candidates.split_off(self.dim());
-        for (j, from, to) in candidates {
-            let turns = wrapped.iter().skip(j).step_by(self.dim());
-            let all = [(j, from, to)].into_iter().chain(turns.copied());
-            let choices = all.flat_map(|(j, from, to)| (from..to).map(move |s| (j, s)));
-            let cost =
-                |&(j, s): &(usize, usize)| amplification(&tau[j + 1..=j + p], breaks[s], breaks[s + 1]);
-            let least =
-                choices.map(|choice| (cost(&choice), choice)).reduce(|x, y| if y.0 < x.0 { y } else { x });
-            let (_, (j, s)) = least.expect("every coefficient has a span under it");
-            args.clear();
-            args.extend(&tau[j + 1..=j + p]);
-            map.push_with(|weights| pieces.polar_into(spans[s], &args, &mut free, weights));
+        let starts: Vec<usize> = (0..self.unrolled_dim()).map(&mut first_under).collect();
+        for slot in 0..self.dim() {
+            let mut least: Option<(T, usize, &[T])> = None;
+            for j in (slot..self.unrolled_dim()).step_by(self.dim()) {
+                let args = &tau[j + 1..=j + p];
+                for (s, ends) in breaks.windows(2).enumerate().skip(starts[j]) {
+                    if ends[0].0 >= tau[j + p + 1] {
+                        break;
+                    }
+                    let cost = amplification(args, &ends[0].0, &ends[1].0);
+                    if least.as_ref().is_none_or(|(lowest, ..)| cost < *lowest) {
+                        least = Some((cost, s, args));
+                    }
+                }
+            }
+            let (_, s, args) = least.expect("every coefficient has a span under it");
+            let (a, b) = (&breaks[s].0, &breaks[s + 1].0);
+            map.push_with(|weights| s * (p + 1) + bernstein_blossom(a, b, args, weights));
         }
         Ok(map)
     }

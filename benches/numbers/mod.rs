@@ -1,0 +1,87 @@
+//! What the benches run on: uneven knots and wavy coefficients, over `f64` and twice over `Q`.
+
+#![allow(dead_code, reason = "each bench uses a part")]
+
+use criterion::Criterion;
+use nalgebra::SVector;
+use std::time::Duration;
+use symspline::{Coeff, Curve, Function, Q, Result, Scalar, SplineSpace};
+
+/// A field with a way to make knots and coefficients in it.
+pub struct Numbers<T> {
+    pub name: &'static str,
+    /// Break `i`, about `i`.
+    pub knot: fn(usize) -> T,
+    /// Coefficient `i`, at most 1 in magnitude.
+    pub value: fn(usize) -> T,
+}
+
+pub const FLOATS: Numbers<f64> = Numbers { name: "f64", knot: uneven, value: wave };
+
+/// Knots and coefficients with one-digit denominators.
+pub const FRACTIONS: Numbers<Q> = Numbers {
+    name: "Q small",
+    knot: |i| Q::frac((5 * i + i * i % 3) as i64, 5),
+    value: |i| Q::frac((7 * i % 11) as i64 - 5, 6),
+};
+
+/// The lossless images of [`FLOATS`].
+pub const IMAGES: Numbers<Q> = Numbers {
+    name: "Q images",
+    knot: |i| Q::try_from(uneven(i)).expect("knots are finite"),
+    value: |i| Q::try_from(wave(i)).expect("coefficients are finite"),
+};
+
+fn uneven(i: usize) -> f64 {
+    i as f64 + 0.3 * (i as f64).sin()
+}
+
+fn wave(i: usize) -> f64 {
+    (0.7 * i as f64).cos()
+}
+
+impl<T: Scalar> Numbers<T> {
+    /// The clamped space with `spans` spans and simple knots.
+    pub fn space(&self, degree: usize, spans: usize) -> Result<SplineSpace<T>> {
+        SplineSpace::clamped(degree, (0..=spans).map(self.knot))
+    }
+
+    pub fn function(&self, degree: usize, spans: usize) -> Result<Function<T>> {
+        let space = self.space(degree, spans)?;
+        let coeffs = (0..space.dim()).map(self.value).collect();
+        Function::new(space, coeffs)
+    }
+
+    pub fn curve<const N: usize>(&self, degree: usize, spans: usize) -> Result<Curve<T, N>> {
+        let space = self.space(degree, spans)?;
+        let point = |i: usize| SVector::from_fn(|axis, _| (self.value)(N * i + axis));
+        let coeffs = (0..space.dim()).map(point).collect();
+        Curve::new(space, coeffs)
+    }
+
+    /// About `count` parameters all over the domain of `spans` spans, for checks.
+    pub fn samples(&self, spans: usize, count: usize) -> Vec<T> {
+        let step = spans.div_ceil(count);
+        let part = |i: usize| {
+            let [a, b] = [i, i + 1].map(self.knot);
+            (a * T::int(2) + b) / T::int(3)
+        };
+        (0..spans).step_by(step).map(part).collect()
+    }
+}
+
+/// Requires equal vectors: over an exact field exactly, else up to `accuracy` a component.
+pub fn assert_close<T: Scalar, C: Coeff<T>>(found: &C, expected: &C, accuracy: T) {
+    let limit = if T::EXACT { T::zero() } else { accuracy };
+    let error = found.minus(expected);
+    assert!(error.components().all(|e| e.magnitude() <= limit), "{found:?} instead of {expected:?}");
+}
+
+/// Short runs: the whole of `cargo bench` is meant to take three minutes.
+pub fn criterion() -> Criterion {
+    Criterion::default()
+        .sample_size(10)
+        .warm_up_time(Duration::from_millis(100))
+        .measurement_time(Duration::from_millis(400))
+        .configure_from_args()
+}

@@ -1,0 +1,118 @@
+//! Laws of fine tuning: `D' = α C'`, exactly.
+
+use crate::strategies::{ANY, CLAMPED, Kind, cases, curve, curve_and_function, number};
+use nalgebra::SVector;
+use proptest::prelude::*;
+use symspline::{Curve, Function, Q, Scalar, SplineSpace};
+
+/// Curves that have a derivative.
+const CURVE: Kind = ANY.of_degree(1, 4).smooth(1);
+/// Scale functions, jumps and rings included.
+const SCALE: Kind = ANY.of_degree(0, 3);
+
+fn constant(c: &Curve<Q, 2>, degree: usize, level: Q) -> symspline::Result<Function<Q>> {
+    let (a, b) = c.domain();
+    Function::constant(SplineSpace::bezier(degree, a.clone(), b.clone())?, level)
+}
+
+proptest! {
+    #![proptest_config(cases(48))]
+
+    #[test]
+    fn the_derivative_is_scaled((c, alpha) in curve_and_function::<3>(CURVE, SCALE)) {
+        let tuned = c.fine_tuned(&alpha)?;
+        prop_assert!(tuned.derivative()?.same_function(&c.derivative()?.times(&alpha)?)?);
+        prop_assert_eq!(tuned.at(c.domain().0)?, c.at(c.domain().0)?);
+        prop_assert!(tuned.space().is_clamped());
+    }
+
+    #[test]
+    fn a_scale_of_one_changes_nothing(c in curve::<2>(CURVE), q in 0_usize..4) {
+        prop_assert!(c.fine_tuned(&constant(&c, q, Q::int(1))?)?.same_function(&c)?);
+    }
+
+    #[test]
+    fn a_constant_scale_is_a_similarity(c in curve::<2>(CURVE), q in 0_usize..3, factor in number()) {
+        let start = c.at(c.domain().0)?;
+        let expected = c.translated(&-start.clone())?.scaled(&factor)?.translated(&start)?;
+        prop_assert!(c.fine_tuned(&constant(&c, q, factor)?)?.same_function(&expected)?);
+    }
+
+    #[test]
+    fn curvature_is_divided_as_polynomials_say(
+        (c, alpha) in curve_and_function::<2>(ANY.of_degree(2, 4).smooth(2), ANY.of_degree(1, 2).smooth(1)),
+    ) {
+        // κ = (C' × C'') / |C'|³: the cross product gains α² and the squared speed α², so that κ loses |α|.
+        let tuned = c.fine_tuned(&alpha)?;
+        let square = &alpha * &alpha;
+        let [(dc, ddc), (dd, ddd)] = [(c.derivative()?, c.nth_derivative(2)?), (tuned.derivative()?, tuned.nth_derivative(2)?)];
+        prop_assert!(dd.cross(&ddd)?.same_function(&(&square * &dc.cross(&ddc)?))?);
+        prop_assert!(dd.dot(&dd)?.same_function(&(&square * &dc.dot(&dc)?))?);
+        prop_assert!(dd.cross(&dc)?.coeffs().iter().all(|s| *s == Q::int(0)), "tangents keep their direction");
+    }
+
+    #[test]
+    fn fine_tuning_is_affine_in_the_scale((c, alpha) in curve_and_function::<2>(CURVE, SCALE), s in number()) {
+        let one = constant(&c, 0, Q::int(1))?;
+        let moved = one.plus_scaled(&s, &alpha)?;
+        let start = c.at(c.domain().0)?;
+        // D(1 + s α) = C + s (D(α) - C(a)).
+        let change = c.fine_tuned(&alpha)?.translated(&-start)?;
+        prop_assert!(c.fine_tuned(&moved)?.same_function(&c.plus_scaled(&s, &change)?)?);
+    }
+
+    #[test]
+    fn fine_tuning_twice_multiplies_the_scales((c, alpha) in curve_and_function::<2>(CLAMPED.of_degree(1, 3).smooth(1), ANY.of_degree(0, 2)), level in number()) {
+        let beta = alpha.translated(&level)?;
+        let twice = c.fine_tuned(&alpha)?.fine_tuned(&beta)?;
+        prop_assert!(twice.same_function(&c.fine_tuned(&(&alpha * &beta))?)?);
+    }
+
+    #[test]
+    fn fine_tuning_ignores_where_the_curve_is((c, alpha) in curve_and_function::<2>(CURVE, SCALE), by in crate::strategies::point::<2>()) {
+        prop_assert_eq!(c.translated(&by)?.fine_tuned(&alpha)?, c.fine_tuned(&alpha)?.translated(&by)?);
+    }
+
+    #[test]
+    fn knots_get_the_copies_their_smoothness_takes((c, alpha) in curve_and_function::<2>(CURVE, SCALE)) {
+        let (n, q, tuned) = (c.degree(), alpha.degree(), c.fine_tuned(&alpha)?);
+        prop_assert_eq!(tuned.degree(), n + q);
+        let copies = |space: &SplineSpace<Q>, t: &Q| space.breaks().iter().find(|(s, _)| s == t).map_or(0, |(_, m)| *m);
+        let breaks = tuned.space().breaks();
+        for (t, found) in &breaks[1..breaks.len() - 1] {
+            let (m, l) = (copies(c.space(), t), copies(alpha.space(), t));
+            prop_assert_eq!(*found, if m > 0 { q + m } else { 0 }.max(if l > 0 { n - 1 + l } else { 0 }));
+        }
+        for space in [c.space(), alpha.space()] {
+            prop_assert!(space.breaks().iter().all(|(t, _)| copies(tuned.space(), t) > 0));
+        }
+    }
+
+    #[test]
+    fn the_same_knots_hold_the_untuned_curve((c, alpha) in curve_and_function::<2>(CURVE, SCALE)) {
+        prop_assert!(c.fine_tuned(&alpha)?.space().contains(c.space()));
+    }
+
+    #[test]
+    fn controls_of_the_scale_span_the_deformations((c, alpha) in curve_and_function::<2>(CLAMPED.of_degree(1, 3).smooth(1), CLAMPED.of_degree(0, 2))) {
+        // D = C(a) + Σ a_j G_j with G_j the curve tuned by one basis function.
+        let start = c.at(c.domain().0)?;
+        let mut sum = Curve::constant(c.fine_tuned(&alpha)?.space().clone(), start.clone())?;
+        for (j, a) in alpha.coeffs().iter().enumerate() {
+            let part = c.fine_tuned(&crate::oracle::unit(alpha.space(), j))?.translated(&-start.clone())?;
+            sum = sum.plus_scaled(a, &part)?;
+        }
+        prop_assert_eq!(sum, c.fine_tuned(&alpha)?);
+    }
+}
+
+#[test]
+fn a_standing_point_stays_where_it_is() -> symspline::Result<()> {
+    let still = Curve::constant(
+        SplineSpace::bezier(2, Q::int(0), Q::int(1))?,
+        SVector::from([Q::int(3), Q::int(4)]),
+    )?;
+    let tuned = still.fine_tuned(&Function::monomial(2, Q::int(0), Q::int(1))?)?;
+    assert!(tuned.same_function(&still)?);
+    Ok(())
+}

@@ -1,0 +1,34 @@
+//! The laws of the library: what holds for every spline, over exact rationals and with `==`.
+//!
+//! One file an operator; `strategies` makes the splines, `oracle` the answers from the definitions. Laws of `f64` are
+//! in `rounding` and `uneven`, with their bounds; `hostile` holds what must be refused.
+//!
+//! A case that fails is kept by proptest in `tests/proptest-regressions` and run first from then on.
+
+mod strategies;
+mod oracle;
+
+mod basis;
+mod polar;
+mod spaces;
+mod containment;
+mod maps;
+mod insertion;
+mod elevation;
+mod arithmetic;
+mod derivative;
+mod integral;
+mod product;
+mod inner;
+mod restrict;
+mod join;
+mod reverse;
+mod reparam;
+mod fit;
+mod least_squares;
+mod curvature;
+mod fine_tune;
+mod hold;
+mod rounding;
+mod uneven;
+mod hostile;
