@@ -81,12 +81,10 @@ impl<T: Scalar> SplineSpace<T> {
         if raise == 0 {
             return Ok(self.clone());
         }
-        let degree = self.degree().saturating_add(raise);
-        check_degree(degree)?;
+        self.check_elevation(raise)?;
+        let degree = self.degree() + raise;
         let raised =
             |knots: Vec<(T, usize)>| knots.into_iter().map(|(t, m)| (t, m + raise)).collect::<Vec<_>>();
-        let rounds = self.breaks().len().saturating_mul(raise);
-        check_dim(self.dim().saturating_add(rounds))?;
         if self.is_periodic() {
             return Self::from_round(degree, &raised(self.round()), self.domain().1);
         }
@@ -100,6 +98,12 @@ impl<T: Scalar> SplineSpace<T> {
         let mut right = copies(&right);
         right.truncate(degree + 1);
         Self::from_parts(degree, Parts { left, inner: raised(inner), right })
+    }
+
+    /// Refuses to raise the degree beyond sane sizes.
+    pub(crate) fn check_elevation(&self, raise: usize) -> Result<()> {
+        check_degree(self.degree().saturating_add(raise))?;
+        check_dim(self.dim().saturating_add(self.dim().saturating_mul(raise)))
     }
 
     /// The open space with `p + 1` knots at either end of the same domain.

@@ -43,6 +43,7 @@ mod parts;
 mod derived;
 mod basis;
 pub mod spline;
+mod eval;
 pub mod ops;
 pub mod build;
 pub mod analysis;

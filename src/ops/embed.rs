@@ -11,7 +11,7 @@ use crate::coeff::Coeff;
 use crate::error::Result;
 use crate::map::LinearMap;
 use crate::scalar::Scalar;
-use crate::space::{SplineSpace, check_degree};
+use crate::space::SplineSpace;
 use crate::spline::Spline;
 
 impl<T: Scalar> SplineSpace<T> {
@@ -173,7 +173,7 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     /// The same function with its degree raised by `raise`; see [`SplineSpace::elevated`] for the knots.
     ///
     /// # Errors
-    /// [`DegreeTooHigh`](crate::Error::DegreeTooHigh).
+    /// [`DegreeTooHigh`](crate::Error::DegreeTooHigh), [`TooLarge`](crate::Error::TooLarge).
     ///
     /// # Examples
     /// ```
@@ -183,7 +183,7 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     /// # Ok::<(), symspline::Error>(())
     /// ```
     pub fn elevated(&self, raise: usize) -> Result<Self> {
-        check_degree(self.degree().saturating_add(raise))?;
+        self.space().check_elevation(raise)?;
         (0..raise).try_fold(self.clone(), |f, _| {
             let space = f.space().elevated(1)?;
             let coeffs = f.space().elevation_rows(&space).apply(f.coeffs())?;

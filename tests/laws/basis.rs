@@ -53,7 +53,10 @@ proptest! {
     }
 
     #[test]
-    fn many_values_are_the_single_values(f in function(ANY), places in prop::collection::vec(any::<Index>(), 0..8)) {
+    fn many_values_are_the_single_values(
+        f in function(ANY),
+        places in prop::collection::vec(any::<Index>(), 0..8),
+    ) {
         let probes = probes(f.space());
         let parameters: Vec<Q> = places.iter().map(|place| place.get(&probes).clone()).collect();
         let single: Vec<Q> = parameters.iter().map(|x| f.at(x)).collect::<Result<_, _>>()?;
@@ -75,7 +78,10 @@ proptest! {
     }
 
     #[test]
-    fn a_hint_does_not_change_the_span(f in function(ANY), hints in prop::collection::vec(any::<usize>(), 1..4)) {
+    fn a_hint_does_not_change_the_span(
+        f in function(ANY),
+        hints in prop::collection::vec(any::<usize>(), 1..4),
+    ) {
         let (space, mut span) = (f.space(), hints[0]);
         for x in probes(space) {
             for hint in hints.iter().copied().chain(0..space.knots().len() + 2) {
@@ -122,7 +128,8 @@ proptest! {
             let values = f.derivatives_at(&piece.a, f.degree())?;
             for (order, value) in values.iter().enumerate() {
                 let falling = |i: usize| (i - order + 1..=i).map(|j| Q::int(j as i64)).product::<Q>();
-                let term = |i: usize| piece.coeffs[i].clone() * falling(i) * oracle::raised(&piece.a, i - order);
+                let power = |i: usize| oracle::raised(&piece.a, i - order);
+                let term = |i: usize| piece.coeffs[i].clone() * falling(i) * power(i);
                 prop_assert_eq!(value, &(order..=f.degree()).map(term).sum::<Q>());
             }
         }

@@ -61,12 +61,17 @@ proptest! {
     }
 
     #[test]
-    fn a_plane_in_space_has_the_curvature_without_sign(c in curve::<2>(), s in inside(), turn in 0.0_f64..6.0) {
+    fn a_plane_in_space_has_the_curvature_without_sign(
+        c in curve::<2>(),
+        s in inside(),
+        turn in 0.0_f64..6.0,
+    ) {
         let x = s * c.domain().1;
         let Some(size) = size(&c, x) else { return Ok(()) };
         let (sin, cos) = turn.sin_cos();
         // A plane turned about the first axis.
-        let lifted = c.coeffs().iter().map(|point| vector![point[0], cos * point[1], sin * point[1]]).collect();
+        let lift = |point: &SVector<f64, 2>| vector![point[0], cos * point[1], sin * point[1]];
+        let lifted = c.coeffs().iter().map(lift).collect();
         let lifted = Curve::new(c.space().clone(), lifted)?;
         let expected = c.curvature_at(&x)?.abs();
         prop_assert!((lifted.curvature_at(&x)? - expected).abs() <= ACCURACY * size);
@@ -101,7 +106,11 @@ proptest! {
     }
 
     #[test]
-    fn teeth_of_the_comb_are_as_long_as_the_curvature(c in curve::<3>(), s in inside(), scale in 0.01_f64..10.0) {
+    fn teeth_of_the_comb_are_as_long_as_the_curvature(
+        c in curve::<3>(),
+        s in inside(),
+        scale in 0.01_f64..10.0,
+    ) {
         let x = s * c.domain().1;
         let Some(size) = size(&c, x) else { return Ok(()) };
         let (foot, tip) = c.curvature_comb(&[x], &scale)?[0];
@@ -127,7 +136,7 @@ proptest! {
         let x = f64::from(x) / 8.0;
         let still = Curve::constant(SplineSpace::bezier(p, 0.0, 1.0)?, vector![1.0, 2.0])?;
         let expected = Error::Stationary { parameter: x.to_string() };
-        prop_assert_eq!(still.curvature_at(&x).unwrap_err(), expected.clone());
+        prop_assert_eq!(&still.curvature_at(&x).unwrap_err(), &expected);
         prop_assert_eq!(still.curvature_comb(&[x], &1.0).unwrap_err(), expected);
     }
 }

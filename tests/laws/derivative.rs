@@ -93,7 +93,7 @@ proptest! {
     fn derivatives_follow_one_another(f in function(ANY.smooth(3))) {
         let chain = f.derivative()?.derivative()?.derivative()?;
         prop_assert_eq!(&f.nth_derivative(3)?, &chain);
-        prop_assert_eq!(f.nth_derivative(0)?, f.clone());
+        prop_assert_eq!(&f.nth_derivative(0)?, &f);
         for x in probes(f.space()) {
             prop_assert_eq!(f.derivative_at(&x, 3)?, chain.at(&x)?);
         }
@@ -114,7 +114,7 @@ proptest! {
         let inside = if ring { &breaks[..breaks.len() - 1] } else { &breaks[1..breaks.len() - 1] };
         let expected = inside.iter().find(|(_, m)| *m == limit);
         let expected = expected.map(|(t, _)| Error::Discontinuous { knot: t.to_string() });
-        prop_assert_eq!(space.derivative_space().err(), expected.clone());
+        prop_assert_eq!(&space.derivative_space().err(), &expected);
         prop_assert_eq!(space.differentiation().err(), expected);
     }
 

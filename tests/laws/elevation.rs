@@ -3,7 +3,7 @@
 use crate::oracle::{self, Side};
 use crate::strategies::{ANY, SMOOTH, cases, curve, function, indices, insertable, probes, space};
 use proptest::prelude::*;
-use symspline::{Function, Q, Scalar};
+use symspline::{Function, Q, Scalar, SplineSpace};
 
 proptest! {
     #![proptest_config(cases(48))]
@@ -39,7 +39,7 @@ proptest! {
         let raised = f.elevated(raise)?;
         let (n, t) = (raised.degree(), raised.space().knots());
         let (a, b) = f.domain();
-        let one = Function::constant(symspline::SplineSpace::bezier(raise, a.clone(), b.clone())?, Q::int(1))?;
+        let one = Function::constant(SplineSpace::bezier(raise, a.clone(), b.clone())?, Q::int(1))?;
         for k in raised.space().spans() {
             for j in k - n..=k {
                 let mean = oracle::product_coefficient(&f, &one, &t[j + 1..=j + n], (&t[k], &t[k + 1]));

@@ -45,14 +45,19 @@ proptest! {
         // κ = (C' × C'') / |C'|³: the cross product gains α² and the squared speed α², so that κ loses |α|.
         let tuned = c.fine_tuned(&alpha)?;
         let square = &alpha * &alpha;
-        let [(dc, ddc), (dd, ddd)] = [(c.derivative()?, c.nth_derivative(2)?), (tuned.derivative()?, tuned.nth_derivative(2)?)];
+        let (dc, ddc) = (c.derivative()?, c.nth_derivative(2)?);
+        let (dd, ddd) = (tuned.derivative()?, tuned.nth_derivative(2)?);
         prop_assert!(dd.cross(&ddd)?.same_function(&(&square * &dc.cross(&ddc)?))?);
         prop_assert!(dd.dot(&dd)?.same_function(&(&square * &dc.dot(&dc)?))?);
-        prop_assert!(dd.cross(&dc)?.coeffs().iter().all(|s| *s == Q::int(0)), "tangents keep their direction");
+        // Tangents keep their direction.
+        prop_assert!(dd.cross(&dc)?.coeffs().iter().all(|s| *s == Q::int(0)));
     }
 
     #[test]
-    fn fine_tuning_is_affine_in_the_scale((c, alpha) in curve_and_function::<2>(CURVE, SCALE), s in number()) {
+    fn fine_tuning_is_affine_in_the_scale(
+        (c, alpha) in curve_and_function::<2>(CURVE, SCALE),
+        s in number(),
+    ) {
         let one = constant(&c, 0, Q::int(1))?;
         let moved = one.plus_scaled(&s, &alpha)?;
         let start = c.at(c.domain().0)?;
@@ -62,14 +67,20 @@ proptest! {
     }
 
     #[test]
-    fn fine_tuning_twice_multiplies_the_scales((c, alpha) in curve_and_function::<2>(CLAMPED.of_degree(1, 3).smooth(1), ANY.of_degree(0, 2)), level in number()) {
+    fn fine_tuning_twice_multiplies_the_scales(
+        (c, alpha) in curve_and_function::<2>(CLAMPED.of_degree(1, 3).smooth(1), ANY.of_degree(0, 2)),
+        level in number(),
+    ) {
         let beta = alpha.translated(&level)?;
         let twice = c.fine_tuned(&alpha)?.fine_tuned(&beta)?;
         prop_assert!(twice.same_function(&c.fine_tuned(&(&alpha * &beta))?)?);
     }
 
     #[test]
-    fn fine_tuning_ignores_where_the_curve_is((c, alpha) in curve_and_function::<2>(CURVE, SCALE), by in crate::strategies::point::<2>()) {
+    fn fine_tuning_ignores_where_the_curve_is(
+        (c, alpha) in curve_and_function::<2>(CURVE, SCALE),
+        by in crate::strategies::point::<2>(),
+    ) {
         prop_assert_eq!(c.translated(&by)?.fine_tuned(&alpha)?, c.fine_tuned(&alpha)?.translated(&by)?);
     }
 
@@ -77,7 +88,9 @@ proptest! {
     fn knots_get_the_copies_their_smoothness_takes((c, alpha) in curve_and_function::<2>(CURVE, SCALE)) {
         let (n, q, tuned) = (c.degree(), alpha.degree(), c.fine_tuned(&alpha)?);
         prop_assert_eq!(tuned.degree(), n + q);
-        let copies = |space: &SplineSpace<Q>, t: &Q| space.breaks().iter().find(|(s, _)| s == t).map_or(0, |(_, m)| *m);
+        let copies = |space: &SplineSpace<Q>, t: &Q| {
+            space.breaks().iter().find(|(s, _)| s == t).map_or(0, |(_, m)| *m)
+        };
         let breaks = tuned.space().breaks();
         for (t, found) in &breaks[1..breaks.len() - 1] {
             let (m, l) = (copies(c.space(), t), copies(alpha.space(), t));
@@ -94,7 +107,9 @@ proptest! {
     }
 
     #[test]
-    fn controls_of_the_scale_span_the_deformations((c, alpha) in curve_and_function::<2>(CLAMPED.of_degree(1, 3).smooth(1), CLAMPED.of_degree(0, 2))) {
+    fn controls_of_the_scale_span_the_deformations(
+        (c, alpha) in curve_and_function::<2>(CLAMPED.of_degree(1, 3).smooth(1), CLAMPED.of_degree(0, 2)),
+    ) {
         // D = C(a) + Σ a_j G_j with G_j the curve tuned by one basis function.
         let start = c.at(c.domain().0)?;
         let mut sum = Curve::constant(c.fine_tuned(&alpha)?.space().clone(), start.clone())?;

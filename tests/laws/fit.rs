@@ -40,7 +40,10 @@ proptest! {
     }
 
     #[test]
-    fn interpolation_succeeds_exactly_if_the_matrix_is_regular(f in function(SMALL), drop in vec(any::<Index>(), 48)) {
+    fn interpolation_succeeds_exactly_if_the_matrix_is_regular(
+        f in function(SMALL),
+        drop in vec(any::<Index>(), 48),
+    ) {
         let parameters = parameters(f.space(), f.space().dim(), &drop);
         let result = Function::interpolating(f.space(), &parameters, &f.eval(&parameters)?);
         if rank(collocation(f.space(), &parameters)) == f.space().dim() {
@@ -49,19 +52,26 @@ proptest! {
             let refused = matches!(result, Err(Error::Undetermined { .. } | Error::Singular { .. }));
             prop_assert!(refused, "{result:?}");
             let late = matches!(result, Err(Error::Singular { .. }));
-            prop_assert!(f.space().is_periodic() || !late, "an open space is judged before anything is solved");
+            prop_assert!(f.space().is_periodic() || !late, "an open space is judged before solving");
         }
     }
 
     #[test]
-    fn rings_are_reproduced_wherever_they_are_determined(c in curve::<2>(RING.of_degree(0, 4)), drop in vec(any::<Index>(), 48)) {
+    fn rings_are_reproduced_wherever_they_are_determined(
+        c in curve::<2>(RING.of_degree(0, 4)),
+        drop in vec(any::<Index>(), 48),
+    ) {
         let parameters = parameters(c.space(), c.space().dim(), &drop);
         prop_assume!(rank(collocation(c.space(), &parameters)) == c.space().dim());
         prop_assert_eq!(Curve::interpolating(c.space(), &parameters, &c.eval(&parameters)?)?, c);
     }
 
     #[test]
-    fn an_interpolant_has_the_data(f in function(SMALL), drop in vec(any::<Index>(), 48), data in vec(point::<2>(), 48)) {
+    fn an_interpolant_has_the_data(
+        f in function(SMALL),
+        drop in vec(any::<Index>(), 48),
+        data in vec(point::<2>(), 48),
+    ) {
         let space = f.space();
         let parameters = parameters(space, space.dim(), &drop);
         prop_assume!(rank(collocation(space, &parameters)) == space.dim());
@@ -73,11 +83,12 @@ proptest! {
 
     #[test]
     fn a_gap_without_parameters_is_found(f in function(CLAMPED.of_degree(0, 4))) {
-        // All parameters in the first half of the first span: the last coefficient is free, if there is another span.
+        // All parameters in the first half of the first span: the other spans are free.
         let (space, breaks) = (f.space(), f.space().breaks());
         prop_assume!(breaks.len() > 2);
         let step = (breaks[1].0.clone() - &breaks[0].0) / Q::int(2 * space.dim() as i64);
-        let parameters: Vec<Q> = (0..space.dim()).map(|i| breaks[0].0.clone() + Q::int(i as i64) * &step).collect();
+        let parameter = |i: usize| breaks[0].0.clone() + Q::int(i as i64) * &step;
+        let parameters: Vec<Q> = (0..space.dim()).map(parameter).collect();
         let result = Function::interpolating(space, &parameters, &f.eval(&parameters)?);
         prop_assert_eq!(result.err(), Some(Error::Undetermined { index: space.degree() + 1 }));
     }
@@ -90,7 +101,9 @@ proptest! {
         data in vec(number(), 8),
     ) {
         let mut parameters = vec![start];
-        gaps.iter().for_each(|(n, d)| parameters.push(parameters[parameters.len() - 1].clone() + Q::frac(*n, *d)));
+        for (n, d) in gaps {
+            parameters.push(parameters[parameters.len() - 1].clone() + Q::frac(n, d));
+        }
         let count = parameters.len();
         let space = interpolation_space(degree, &parameters);
         if count < degree + 1 {

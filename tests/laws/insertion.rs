@@ -58,7 +58,11 @@ proptest! {
     }
 
     #[test]
-    fn the_embedding_acts_as_the_embedded_spline(f in function(ANY), places in indices(3), raise in 0_usize..3) {
+    fn the_embedding_acts_as_the_embedded_spline(
+        f in function(ANY),
+        places in indices(3),
+        raise in 0_usize..3,
+    ) {
         let target = f.space().elevated(raise)?.refined(&insertable(f.space(), &places))?;
         let embedded = f.embedded(&target)?;
         prop_assert_eq!(embedded.space(), &target);
@@ -116,7 +120,8 @@ proptest! {
             prop_assert_eq!(&piece.coeffs()[0], &f.at(a)?);
             prop_assert_eq!(&piece.coeffs()[f.degree()], &f.at_left(b)?);
             for x in probes(piece.space()) {
-                prop_assert_eq!(piece.at(&x)?, oracle::value(&f, &x, if x == *b { Side::Left } else { Side::Right }));
+                let side = if x == *b { Side::Left } else { Side::Right };
+                prop_assert_eq!(piece.at(&x)?, oracle::value(&f, &x, side));
             }
         }
     }

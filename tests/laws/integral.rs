@@ -13,12 +13,9 @@ proptest! {
     fn integrals_are_those_of_the_powers(f in function(ANY), places in (any::<Index>(), any::<Index>())) {
         let probes = probes(f.space());
         let (x, y) = (places.0.get(&probes), places.1.get(&probes));
-        let expected = oracle::powers(&f).iter().map(|piece| piece.moment(0, x, y)).sum::<Q>();
-        let sign = Q::int(if x <= y { 1 } else { -1 });
-        let (low, high) = if x <= y { (x, y) } else { (y, x) };
+        let (sign, low, high) = if x <= y { (1, x, y) } else { (-1, y, x) };
         let ordered = oracle::powers(&f).iter().map(|piece| piece.moment(0, low, high)).sum::<Q>();
-        prop_assert!(x > y || expected == ordered);
-        prop_assert_eq!(f.integral_between(x, y)?, sign * ordered);
+        prop_assert_eq!(f.integral_between(x, y)?, Q::int(sign) * ordered);
     }
 
     #[test]
@@ -97,7 +94,8 @@ proptest! {
     fn opened_rings_have_the_integrals_of_the_ring(f in function(RING)) {
         prop_assert_eq!(f.clamped_ends()?.integral()?, f.integral()?);
         prop_assert_eq!(f.unclamped_ends()?.integral()?, f.integral()?);
-        prop_assert!(f.unclamped_ends()?.antiderivative()?.same_function(&f.clamped_ends()?.antiderivative()?)?);
+        let (unclamped, clamped) = (f.unclamped_ends()?, f.clamped_ends()?);
+        prop_assert!(unclamped.antiderivative()?.same_function(&clamped.antiderivative()?)?);
     }
 
     #[test]

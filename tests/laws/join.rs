@@ -51,7 +51,11 @@ proptest! {
     }
 
     #[test]
-    fn joining_associates(f in function(ANY.of_degree(0, 4)), g in function(ANY.of_degree(0, 4)), h in function(ANY.of_degree(0, 4))) {
+    fn joining_associates(
+        f in function(ANY.of_degree(0, 4)),
+        g in function(ANY.of_degree(0, 4)),
+        h in function(ANY.of_degree(0, 4)),
+    ) {
         let g = behind(&f, &g)?;
         let h = behind(&g, &h)?;
         prop_assert!(f.join(&g)?.join(&h)?.same_function(&f.join(&g.join(&h)?)?)?);

@@ -58,12 +58,17 @@ proptest! {
     }
 
     #[test]
-    fn the_residual_is_orthogonal_to_the_space(f in function(SMALL), picks in picks(), data in vec(point::<2>(), 60)) {
+    fn the_residual_is_orthogonal_to_the_space(
+        f in function(SMALL),
+        picks in picks(),
+        data in vec(point::<2>(), 60),
+    ) {
         let space = f.space();
         let parameters = parameters(space, &picks);
         let fit = Curve::least_squares(space, &parameters, &data, Ends::Free);
         if determined(space, &parameters) {
-            prop_assert!(residual(&fit?, &parameters, &data)?.iter().all(|sum| *sum == SVector::<Q, 2>::zeros()));
+            let sums = residual(&fit?, &parameters, &data)?;
+            prop_assert!(sums.iter().all(|sum| *sum == SVector::<Q, 2>::zeros()));
         } else {
             let refused = matches!(fit, Err(Error::Undetermined { .. } | Error::Singular { .. }));
             prop_assert!(refused, "{fit:?}");
@@ -101,7 +106,10 @@ proptest! {
     }
 
     #[test]
-    fn interpolation_is_least_squares_without_residual(f in function(CLAMPED.of_degree(0, 5).smooth(1)), data in vec(number(), 48)) {
+    fn interpolation_is_least_squares_without_residual(
+        f in function(CLAMPED.of_degree(0, 5).smooth(1)),
+        data in vec(number(), 48),
+    ) {
         let (parameters, data) = (f.space().greville(), &data[..f.space().dim()]);
         let interpolant = Function::interpolating(f.space(), &parameters, data)?;
         prop_assert_eq!(Function::least_squares(f.space(), &parameters, data, Ends::Free)?, interpolant);
@@ -115,7 +123,11 @@ proptest! {
     }
 
     #[test]
-    fn the_largest_residual_is_the_largest(c in curve::<2>(SMALL), picks in picks(), data in vec(point::<2>(), 60)) {
+    fn the_largest_residual_is_the_largest(
+        c in curve::<2>(SMALL),
+        picks in picks(),
+        data in vec(point::<2>(), 60),
+    ) {
         let parameters = parameters(c.space(), &picks);
         let square = |(x, datum): (&Q, &SVector<Q, 2>)| {
             let difference = c.at(x).unwrap() - datum;

@@ -41,19 +41,27 @@ proptest! {
     #![proptest_config(cases(128))]
 
     #[test]
-    fn application_is_linear((a, x, y) in (1_usize..6, 0_usize..6).prop_flat_map(|(n, m)| (map(n, m), vector(n), vector(n))), s in number()) {
+    fn application_is_linear(
+        (a, x, y) in (1_usize..6, 0_usize..6).prop_flat_map(|(n, m)| (map(n, m), vector(n), vector(n))),
+        s in number(),
+    ) {
         let expected = combination(&a.apply(&x)?, &s, &a.apply(&y)?);
         prop_assert_eq!(a.apply(&combination(&x, &s, &y))?, expected);
     }
 
     #[test]
-    fn the_matrix_acts_like_the_map((a, x) in (1_usize..6, 0_usize..6).prop_flat_map(|(n, m)| (map(n, m), vector(n)))) {
+    fn the_matrix_acts_like_the_map(
+        (a, x) in (1_usize..6, 0_usize..6).prop_flat_map(|(n, m)| (map(n, m), vector(n))),
+    ) {
         let image = a.to_matrix()? * DVector::from_vec(x.clone());
         prop_assert_eq!(a.apply(&x)?, image.as_slice());
     }
 
     #[test]
-    fn after_is_composition((a, b, x) in (1_usize..6, 1_usize..6, 0_usize..6).prop_flat_map(|(n, m, l)| (map(n, m), map(m, l), vector(n)))) {
+    fn after_is_composition(
+        (a, b, x) in (1_usize..6, 1_usize..6, 0_usize..6)
+            .prop_flat_map(|(n, m, l)| (map(n, m), map(m, l), vector(n))),
+    ) {
         let composed = b.after(&a)?;
         prop_assert_eq!(composed.apply(&x)?, b.apply(&a.apply(&x)?)?);
         prop_assert_eq!(composed.to_matrix()?, b.to_matrix()? * a.to_matrix()?);
@@ -61,12 +69,17 @@ proptest! {
     }
 
     #[test]
-    fn composition_associates((a, b, c) in (1_usize..5, 1_usize..5, 1_usize..5, 1_usize..5).prop_flat_map(|(n, m, l, k)| (map(n, m), map(m, l), map(l, k)))) {
+    fn composition_associates(
+        (a, b, c) in (1_usize..5, 1_usize..5, 1_usize..5, 1_usize..5)
+            .prop_flat_map(|(n, m, l, k)| (map(n, m), map(m, l), map(l, k))),
+    ) {
         prop_assert_eq!(c.after(&b)?.after(&a)?.to_matrix()?, c.after(&b.after(&a)?)?.to_matrix()?);
     }
 
     #[test]
-    fn the_transpose_is_dual((a, x, y) in (1_usize..6, 1_usize..6).prop_flat_map(|(n, m)| (map(n, m), vector(n), vector(m)))) {
+    fn the_transpose_is_dual(
+        (a, x, y) in (1_usize..6, 1_usize..6).prop_flat_map(|(n, m)| (map(n, m), vector(n), vector(m))),
+    ) {
         let transposed = a.transpose();
         prop_assert_eq!(dual(&a.apply(&x)?, &y), dual(&x, &transposed.apply(&y)?));
         prop_assert_eq!(transposed.to_matrix()?, a.to_matrix()?.transpose());
@@ -74,7 +87,9 @@ proptest! {
     }
 
     #[test]
-    fn a_functional_is_pulled_back_through_the_map((a, x, b) in (1_usize..6, 1_usize..6).prop_flat_map(|(n, m)| (map(n, m), vector(n), map(m, 3)))) {
+    fn a_functional_is_pulled_back_through_the_map(
+        (a, x, b) in (1_usize..6, 1_usize..6).prop_flat_map(|(n, m)| (map(n, m), vector(n), map(m, 3))),
+    ) {
         for (first, weights) in b.rows() {
             let functional = Functional::new(first, weights);
             let pulled = a.pull_back(&functional);
@@ -83,7 +98,9 @@ proptest! {
     }
 
     #[test]
-    fn the_identity_is_neutral((n, a) in (1_usize..6, 1_usize..6).prop_flat_map(|(n, m)| (Just(n), map(n, m)))) {
+    fn the_identity_is_neutral(
+        (n, a) in (1_usize..6, 1_usize..6).prop_flat_map(|(n, m)| (Just(n), map(n, m))),
+    ) {
         let (before, after) = (LinearMap::identity(n), LinearMap::identity(a.target_dim()));
         prop_assert_eq!(a.after(&before)?.to_matrix()?, a.to_matrix()?);
         prop_assert_eq!(after.after(&a)?.to_matrix()?, a.to_matrix()?);
@@ -91,18 +108,23 @@ proptest! {
     }
 
     #[test]
-    fn wrong_counts_are_refused((a, x) in (1_usize..5, 1_usize..5, 0_usize..9).prop_flat_map(|(n, m, k)| (map(n, m), vector(k)))) {
+    fn wrong_counts_are_refused(
+        (a, x) in (1_usize..5, 1_usize..5, 0_usize..9).prop_flat_map(|(n, m, k)| (map(n, m), vector(k))),
+    ) {
         prop_assert_eq!(a.apply(&x).is_ok(), x.len() == a.source_dim());
         let other = LinearMap::<Q>::identity(x.len());
         prop_assert_eq!(a.after(&other).is_ok(), x.len() == a.source_dim());
     }
 
     #[test]
-    fn a_fixed_factor_leaves_a_linear_map((b, x, y) in (1_usize..5, 1_usize..5, 1_usize..5).prop_flat_map(|(n, m, l)| (bilinear(n, m, l), vector(n), vector(m)))) {
+    fn a_fixed_factor_leaves_a_linear_map(
+        (b, x, y) in (1_usize..5, 1_usize..5, 1_usize..5)
+            .prop_flat_map(|(n, m, l)| (bilinear(n, m, l), vector(n), vector(m))),
+    ) {
         let image = b.apply(&x, &y)?;
         prop_assert_eq!(&b.fix_left(&x)?.apply(&y)?, &image);
         prop_assert_eq!(&b.swapped().apply(&y, &x)?, &image);
-        prop_assert_eq!(b.swapped().swapped(), b.clone());
+        prop_assert_eq!(&b.swapped().swapped(), &b);
         let by_hand = |row: &BilinearRow<Q>| {
             let mut sum = Q::int(0);
             for (k, weights) in row.weights.iter().enumerate() {

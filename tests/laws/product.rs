@@ -51,7 +51,9 @@ proptest! {
     }
 
     #[test]
-    fn a_coefficient_on_a_ring_is_the_mean_too([f, g] in functions(RING.of_degree(0, 3), RING.of_degree(0, 3))) {
+    fn a_coefficient_on_a_ring_is_the_mean_too(
+        [f, g] in functions(RING.of_degree(0, 3), RING.of_degree(0, 3)),
+    ) {
         is_the_mean_of_polar_products(&f, &g)?;
     }
 
@@ -96,7 +98,9 @@ proptest! {
     }
 
     #[test]
-    fn a_ring_and_an_open_spline_give_an_open_one([f, g] in functions(RING.of_degree(0, 5), OPEN.of_degree(0, 5))) {
+    fn a_ring_and_an_open_spline_give_an_open_one(
+        [f, g] in functions(RING.of_degree(0, 5), OPEN.of_degree(0, 5)),
+    ) {
         let product = f.times(&g)?;
         prop_assert!(product.space().is_clamped());
         prop_assert_eq!(&product, &f.clamped_ends()?.times(&g)?);
@@ -104,7 +108,9 @@ proptest! {
     }
 
     #[test]
-    fn opening_a_product_of_rings_is_the_product_opened([f, g] in functions(RING.of_degree(0, 5), RING.of_degree(0, 5))) {
+    fn opening_a_product_of_rings_is_the_product_opened(
+        [f, g] in functions(RING.of_degree(0, 5), RING.of_degree(0, 5)),
+    ) {
         let product = f.times(&g)?;
         prop_assert!(product.space().is_periodic());
         prop_assert!(product.same_function(&f.clamped_ends()?.times(&g.clamped_ends()?)?)?);
@@ -142,7 +148,9 @@ proptest! {
     }
 
     #[test]
-    fn cross_products_in_space_are_across_both([c, d] in curves::<3>(ANY.of_degree(0, 2), ANY.of_degree(0, 2))) {
+    fn cross_products_in_space_are_across_both(
+        [c, d] in curves::<3>(ANY.of_degree(0, 2), ANY.of_degree(0, 2)),
+    ) {
         let normal = c.cross(&d)?;
         for factor in [&c, &d] {
             prop_assert!(normal.dot(factor)?.coeffs().iter().all(|s| *s == Q::int(0)));

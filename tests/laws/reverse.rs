@@ -52,14 +52,20 @@ proptest! {
     }
 
     #[test]
-    fn reversal_commutes_with_sums_and_products([f, g] in functions(ANY.of_degree(0, 4), ANY.of_degree(0, 4))) {
+    fn reversal_commutes_with_sums_and_products(
+        [f, g] in functions(ANY.of_degree(0, 4), ANY.of_degree(0, 4)),
+    ) {
         let (back_f, back_g) = (f.reversed()?, g.reversed()?);
         prop_assert_eq!((&f + &g).reversed()?, &back_f + &back_g);
         prop_assert_eq!((&f * &g).reversed()?, &back_f * &back_g);
     }
 
     #[test]
-    fn reversal_commutes_with_elevation_and_insertion(f in function(ANY), places in indices(3), raise in 0_usize..3) {
+    fn reversal_commutes_with_elevation_and_insertion(
+        f in function(ANY),
+        places in indices(3),
+        raise in 0_usize..3,
+    ) {
         prop_assert_eq!(f.elevated(raise)?.reversed()?, f.reversed()?.elevated(raise)?);
         let (a, b) = f.domain();
         // A knot inserted at the seam of a ring stays at the seam.

@@ -123,7 +123,10 @@ proptest! {
     }
 
     #[test]
-    fn restriction_keeps_the_knots_between(space in space(ANY), places in (any::<prop::sample::Index>(), any::<prop::sample::Index>())) {
+    fn restriction_keeps_the_knots_between(
+        space in space(ANY),
+        places in (any::<prop::sample::Index>(), any::<prop::sample::Index>()),
+    ) {
         let probes = probes(&space);
         let (a, b) = (places.0.get(&probes), places.1.get(&probes));
         prop_assume!(a < b);

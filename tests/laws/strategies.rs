@@ -14,7 +14,8 @@ const MOST: usize = 48;
 
 /// The settings of a law that runs `4 n` times.
 pub fn cases(n: u32) -> ProptestConfig {
-    ProptestConfig { cases: 4 * n, max_shrink_iters: 10_000, ..ProptestConfig::default() }
+    let (max_shrink_iters, max_global_rejects) = (10_000, 100_000);
+    ProptestConfig { cases: 4 * n, max_shrink_iters, max_global_rejects, ..ProptestConfig::default() }
 }
 
 /// How the ends of a space meet.
