@@ -59,26 +59,18 @@ impl<T: Scalar> SplineSpace<T> {
 
     /// The derivative of order `d` at `x` of the polynomial of span `k`: `p! / (p - d)!` times the polar value at
     /// `p - d` arguments `x` and `d` unit directions.
-    pub(crate) fn derivative_on(&self, k: usize, x: &T, d: usize) -> Functional<T> {
-        let mut weights = Vec::with_capacity(self.degree() + 1);
-        self.derivative_into(k, x, d, &mut weights);
-        Functional::new(k - self.degree(), weights)
-    }
-
-    /// Replaces `weights` by those of [`derivative_on`](Self::derivative_on).
-    pub(crate) fn derivative_into(&self, k: usize, x: &T, d: usize, weights: &mut Vec<T>) {
+    fn derivative_on(&self, k: usize, x: &T, d: usize) -> Functional<T> {
         let p = self.degree();
-        weights.clear();
         if d > p {
-            return weights.resize(p + 1, T::zero());
+            return Functional::new(k - p, vec![T::zero(); p + 1]);
         }
+        let mut weights = Vec::with_capacity(p + 1);
         weights.resize(p - d + 1, T::zero());
-        blossom(self.knots(), k, k, |_| x, weights);
-        (0..d).for_each(|_| differentiate(self.knots(), k, k, weights));
-        if d > 0 {
-            let factor = (p - d + 1..=p).fold(T::one(), |product, i| product * T::int(i as i64));
-            weights.iter_mut().for_each(|w| *w *= &factor);
-        }
+        blossom(self.knots(), k, k, |_| x, &mut weights);
+        (0..d).for_each(|_| differentiate(self.knots(), k, k, &mut weights));
+        let factor = (p - d + 1..=p).fold(T::one(), |product, i| product * T::int(i as i64));
+        weights.iter_mut().for_each(|w| *w *= &factor);
+        Functional::new(k - p, weights)
     }
 
     /// The polar value of span `k` at `args`: the symmetric `F` that is affine in each of its `p` arguments and has

@@ -33,19 +33,23 @@ impl<T: Scalar> BilinearMap<T> {
     /// The map with the given rows on `left_dim` by `right_dim` coefficients; all indices wrap.
     ///
     /// # Errors
-    /// [`Error::IndexOutOfRange`] if a row starts past the last coefficient of either side.
+    /// [`Error::IndexOutOfRange`] if a row starts past the last coefficient of either side;
+    /// [`Error::CoefficientCount`] if the weights of a row are ragged.
     pub fn from_rows(
         left_dim: usize,
         right_dim: usize,
         rows: impl IntoIterator<Item = BilinearRow<T>>,
     ) -> Result<Self> {
         let rows: Vec<_> = rows.into_iter().collect();
-        for BilinearRow { first: (left, right), .. } in &rows {
-            if *left >= left_dim {
-                return Err(Error::IndexOutOfRange { index: *left, length: left_dim });
-            }
-            if *right >= right_dim {
-                return Err(Error::IndexOutOfRange { index: *right, length: right_dim });
+        let inside = |index: usize, length: usize| {
+            if index < length { Ok(()) } else { Err(Error::IndexOutOfRange { index, length }) }
+        };
+        for BilinearRow { first: (left, right), weights } in &rows {
+            inside(*left, left_dim)?;
+            inside(*right, right_dim)?;
+            let width = weights.first().map_or(0, Vec::len);
+            if let Some(odd) = weights.iter().find(|row| row.len() != width) {
+                return Err(Error::CoefficientCount { expected: width, found: odd.len() });
             }
         }
         Ok(Self { dims: (left_dim, right_dim), rows })

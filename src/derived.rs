@@ -129,7 +129,8 @@ impl<T: Scalar> SplineSpace<T> {
 
     /// The open space whose outer knots repeat the spacing of the domain periodically.
     ///
-    /// A periodic space gives the open space over its own unrolled knots.
+    /// A periodic space gives the open space over its own unrolled knots, without those past the end that no coefficient
+    /// needs.
     ///
     /// # Errors
     /// [`Error::Multiplicity`] if rounding makes outer knots coincide.

@@ -172,13 +172,7 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     /// ```
     pub fn derivatives_at(&self, x: &T, order: usize) -> Result<Vec<C>> {
         check_degree(order)?;
-        let k = self.space.locate(x)?;
-        let mut weights = Vec::with_capacity(self.degree() + 1);
-        let derivative = |d: usize| {
-            self.space.derivative_into(k, x, d, &mut weights);
-            weigh(k - self.degree(), &weights, &self.coeffs)
-        };
-        Ok((0..=order).map(derivative).collect())
+        Ok(self.derivatives_on(self.space.locate(x)?, x, order))
     }
 
     /// The derivative of order `order` at `x`, from the right.
@@ -194,7 +188,29 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     /// ```
     pub fn derivative_at(&self, x: &T, order: usize) -> Result<C> {
         check_degree(order)?;
-        Ok(self.space.derivative_on(self.space.locate(x)?, x, order).apply(&self.coeffs))
+        let derivatives = self.derivatives_on(self.space.locate(x)?, x, order);
+        Ok(derivatives.into_iter().next_back().expect("there is at least the value"))
+    }
+
+    /// Value and derivatives at `x` of the polynomial of span `k`.
+    ///
+    /// The coefficients under the span are differentiated first: where they agree there is nothing to round.
+    fn derivatives_on(&self, k: usize, x: &T, order: usize) -> Vec<C> {
+        let (p, t) = (self.degree(), self.space.knots());
+        let mut window: Vec<C> = (k - p..=k).map(|i| self.coeff(i).clone()).collect();
+        let mut weights = vec![T::zero(); p + 1];
+        let mut derivatives = Vec::with_capacity(order + 1);
+        for q in (p.saturating_sub(order)..=p).rev() {
+            blossom(t, k, k, |_| x, &mut weights[..=q]);
+            derivatives.push(weigh(0, &weights[..=q], &window[..=q]));
+            // From degree q to q - 1: coefficient j belongs to the knot interval [t_i, t_{i+q}].
+            for (j, i) in (0..q).zip(k + 1 - q..) {
+                window[j] = window[j + 1].minus(&window[j]);
+                window[j].scale(&(T::int(q as i64) / (t[i + q].clone() - &t[i])));
+            }
+        }
+        derivatives.resize(order + 1, window[0].zero_like());
+        derivatives
     }
 
     /// The value at `x` of the polynomial of span `k`.

@@ -55,8 +55,8 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     ///
     /// # Errors
     /// As [`interpolating`](Self::interpolating), but there may be more data than coefficients.
-    /// To hold ends the space must be clamped ([`Error::NotClamped`]) and the parameters must start and end where the domain
-    /// does ([`Error::DomainMismatch`]).
+    /// To hold ends the space must be clamped ([`Error::NotClamped`]) and have two coefficients, and the parameters must
+    /// start and end where the domain does ([`Error::DomainMismatch`]).
     ///
     /// # Examples
     /// ```
@@ -149,6 +149,9 @@ fn check_data<T: Scalar, C: Coeff<T>>(space: &SplineSpace<T>, parameters: &[T], 
 fn check_ends<T: Scalar>(space: &SplineSpace<T>, parameters: &[T]) -> Result<()> {
     if !space.is_clamped() {
         return Err(Error::NotClamped);
+    }
+    if space.dim() < 2 {
+        return Err(Error::CoefficientCount { expected: 2, found: space.dim() });
     }
     let ((a, b), (first, last)) = (space.domain(), (&parameters[0], &parameters[parameters.len() - 1]));
     if (a, b) == (first, last) {

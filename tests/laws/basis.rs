@@ -53,6 +53,21 @@ proptest! {
     }
 
     #[test]
+    fn long_runs_in_a_span_are_the_single_values(f in function(ANY)) {
+        let breaks = f.space().breaks();
+        let within = |i: i64| {
+            let part = Q::frac(i, 24);
+            breaks.windows(2).map(|ends| ends[0].0.clone() + (ends[1].0.clone() - &ends[0].0) * &part).collect::<Vec<_>>()
+        };
+        let mut parameters: Vec<Q> = (0..=24).flat_map(within).collect();
+        parameters.sort();
+        let values = f.eval(&parameters)?;
+        for (x, value) in parameters.iter().zip(values) {
+            prop_assert_eq!(f.at(x)?, value);
+        }
+    }
+
+    #[test]
     fn many_values_are_the_single_values(
         f in function(ANY),
         places in prop::collection::vec(any::<Index>(), 0..8),

@@ -5,7 +5,9 @@ use proptest::collection::vec;
 use proptest::prelude::*;
 use proptest::sample::select;
 use symspline::space::MAX_DEGREE;
-use symspline::{Error, Function, Functional, KnotVector, LinearMap, Q, Scalar, SplineSpace};
+use symspline::{
+    BilinearMap, BilinearRow, Error, Function, Functional, KnotVector, LinearMap, Q, Scalar, SplineSpace,
+};
 
 /// Numbers that break things: not finite, tiny, huge, equal, next to each other.
 fn garbage() -> impl Strategy<Value = f64> {
@@ -244,4 +246,12 @@ fn numbers_that_are_none_are_refused() -> symspline::Result<()> {
         assert!(matches!(overflow, Err(Error::NotFinite { .. })), "{overflow:?}");
     }
     Ok(())
+}
+
+#[test]
+fn ragged_rows_are_no_bilinear_map() {
+    let row = |weights: [Vec<f64>; 2]| BilinearRow { first: (0, 0), weights: weights.to_vec() };
+    let ragged = BilinearMap::from_rows(2, 2, [row([vec![1.0, 2.0], vec![3.0]])]);
+    assert_eq!(ragged, Err(Error::CoefficientCount { expected: 2, found: 1 }));
+    assert!(BilinearMap::from_rows(2, 2, [row([vec![1.0, 2.0], vec![3.0, 4.0]])]).is_ok());
 }

@@ -53,8 +53,12 @@ proptest! {
     #[test]
     fn splines_of_the_space_are_reproduced_with_held_ends(f in function(CLAMPED.of_degree(0, 4))) {
         let parameters = probes(&f.space().bisected()?);
-        let fit = Function::least_squares(f.space(), &parameters, &f.eval(&parameters)?, Ends::Held)?;
-        prop_assert_eq!(fit, f);
+        let fit = Function::least_squares(f.space(), &parameters, &f.eval(&parameters)?, Ends::Held);
+        // One coefficient cannot hold two ends.
+        match f.space().dim() {
+            1 => prop_assert_eq!(fit, Err(Error::CoefficientCount { expected: 2, found: 1 })),
+            _ => prop_assert_eq!(fit?, f),
+        }
     }
 
     #[test]
