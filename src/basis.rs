@@ -2,9 +2,10 @@
 
 use crate::error::{Error, Result};
 use crate::functional::Functional;
+use crate::limits::check_degree;
 use crate::polar::{blossom, differentiate, take_run};
 use crate::scalar::Scalar;
-use crate::space::{SplineSpace, check_degree};
+use crate::space::SplineSpace;
 
 impl<T: Scalar> SplineSpace<T> {
     /// The value at `x` as a functional: the `p + 1` basis functions that do not vanish there, from the right.
@@ -40,7 +41,7 @@ impl<T: Scalar> SplineSpace<T> {
     /// Computes what [NURBS, A2.3] does.
     ///
     /// # Errors
-    /// [`Error::OutsideDomain`]; [`Error::DegreeTooHigh`] for an order beyond [`MAX_DEGREE`](crate::space::MAX_DEGREE).
+    /// [`Error::OutsideDomain`]; [`Error::DegreeTooHigh`] for an order beyond [`MAX_DEGREE`](crate::limits::MAX_DEGREE).
     ///
     /// # Examples
     /// ```

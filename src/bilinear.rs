@@ -14,14 +14,14 @@ use crate::scalar::Scalar;
 /// assert_eq!(product.apply(&[3.0], &[1.0, 10.0])?, [63.0]);
 /// # Ok::<(), symspline::Error>(())
 /// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct BilinearMap<T> {
     dims: (usize, usize),
     rows: Vec<BilinearRow<T>>,
 }
 
 /// One row of a [`BilinearMap`]: `weights[k][l]` belongs to the coefficients `first.0 + k` and `first.1 + l`.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct BilinearRow<T> {
     /// The first indices, left and right.
     pub first: (usize, usize),

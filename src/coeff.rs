@@ -64,12 +64,12 @@ pub trait Coeff<T: Scalar>: Clone + PartialEq + std::fmt::Debug + Send + Sync + 
     }
 
     /// Whether every component is a finite number.
-    fn is_finite(&self) -> bool {
+    fn all_finite(&self) -> bool {
         self.components().all(Scalar::is_finite)
     }
 
     /// Whether every component is zero.
-    fn is_zero(&self) -> bool {
+    fn vanishes(&self) -> bool {
         self.components().all(T::is_zero)
     }
 }

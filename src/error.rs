@@ -199,8 +199,13 @@ pub enum Error {
         /// The parameter.
         parameter: String,
     },
+    /// All points coincide, so that nothing has a length.
+    #[error("all points coincide, the polygon has no length")]
+    NoLength,
     /// Held ends cannot be reached by a similarity, because one of the chords has no length.
-    #[error("the ends coincide, no rotation and scaling holds them; use a method for closed curves")]
+    #[error(
+        "the ends coincide before or after scaling: no rotation and scaling holds them; closed curves need another method"
+    )]
     NoChord,
     /// A text is not a number.
     #[error("'{text}' is not a fraction p/q: {reason}")]

@@ -14,7 +14,7 @@ use crate::scalar::Scalar;
 /// let mean = Functional::new(3, [0.5, 0.5]);
 /// assert_eq!(mean.apply(&[2.0, 0.0, 0.0, 4.0]), 3.0);
 /// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Functional<T> {
     first: usize,
     weights: Vec<T>,
@@ -66,9 +66,10 @@ impl<T: Scalar> Functional<T> {
 /// `Σ_k weights[k] coeffs[first + k]`, indices wrapped.
 #[inline]
 pub(crate) fn weigh<T: Scalar, C: Coeff<T>>(first: usize, weights: &[T], coeffs: &[C]) -> C {
-    let sum = match coeffs.get(first..first + weights.len()) {
+    let window = first.checked_add(weights.len()).and_then(|end| coeffs.get(first..end));
+    let sum = match window {
         Some(window) => C::combine(weights.iter().zip(window)),
-        None => C::combine(weights.iter().zip((first..).map(|i| &coeffs[i % coeffs.len()]))),
+        None => C::combine(weights.iter().zip(coeffs.iter().cycle().skip(first % coeffs.len()))),
     };
     sum.unwrap_or_else(|| coeffs[0].zero_like())
 }

@@ -17,7 +17,7 @@ use std::sync::Arc;
 /// assert_eq!(knots.multiplicities(), [(0.0, 2), (1.0, 1), (2.0, 2)]);
 /// # Ok::<(), symspline::Error>(())
 /// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct KnotVector<T>(Arc<[T]>);
 
 impl<T: Scalar> KnotVector<T> {
@@ -43,13 +43,18 @@ impl<T: Scalar> KnotVector<T> {
         }
     }
 
+    /// The knots as a slice.
+    pub fn as_slice(&self) -> &[T] {
+        &self.0
+    }
+
     /// The distinct knots, each with the number of its copies.
     pub fn multiplicities(&self) -> Vec<(T, usize)> {
         self.chunk_by(T::eq).map(|copies| (copies[0].clone(), copies.len())).collect()
     }
 
-    /// The same knots with near ones made equal: each knot less than or exactly `tolerance` above the first of its
-    /// cluster takes the value of that first one.
+    /// The same knots with near ones made equal: a knot at most `tolerance` above the first of its cluster takes the
+    /// value of that first one. So the last knots, and with them the end of a domain, may move down.
     ///
     /// `tolerance` is a parameter difference, in the unit of the knots.
     ///

@@ -27,12 +27,14 @@
 
 // The modules from the ground up: a module uses only what stands above it (tests/floors.rs).
 pub mod error;
+pub mod limits;
 pub mod scalar;
 pub mod exact;
 pub mod coeff;
 mod vector;
 mod linalg;
 pub mod functional;
+mod gather;
 pub mod map;
 pub mod bilinear;
 pub mod knots;

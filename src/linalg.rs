@@ -60,6 +60,7 @@ impl<T: Scalar, C: Coeff<T>> BandedSystem<T, C> {
             return Err(Error::CoefficientCount { expected: self.unknowns, found: self.rows.len() });
         }
         let inside = self.unknowns - self.border;
+        let noise = self.noise();
         self.rows.sort_by_key(|row| row.first);
         let mut waiting = VecDeque::from(std::mem::take(&mut self.rows));
         let mut active: Vec<Row<T, C>> = Vec::new();
@@ -68,19 +69,31 @@ impl<T: Scalar, C: Coeff<T>> BandedSystem<T, C> {
             while waiting.front().is_some_and(|row| row.first <= column) {
                 active.extend(waiting.pop_front());
             }
-            let pivot = take_pivot(&mut active, |row| row.entry(column));
+            let pivot = take_pivot(&mut active, &noise, |row| row.entry(column));
             let pivot = pivot.ok_or_else(|| singular(active.first().or(waiting.front()), column))?;
             active.iter_mut().for_each(|row| row.eliminate(&pivot, column));
             done.push(pivot);
         }
         active.extend(waiting);
         for k in 0..self.border {
-            let pivot = take_pivot(&mut active, |row| Some(&row.border[k]));
+            let pivot = take_pivot(&mut active, &noise, |row| Some(&row.border[k]));
             let pivot = pivot.ok_or_else(|| singular(active.first(), inside + k))?;
             active.iter_mut().for_each(|row| row.eliminate_border(&pivot, k));
             done.push(pivot);
         }
         self.substitute(done)
+    }
+
+    /// Below this size a pivot is rounding: of systems with a border, which may be singular without any zero.
+    ///
+    /// Collocation matrices without one are totally positive, and small pivots mean what they say.
+    fn noise(&self) -> T {
+        if T::EXACT || self.border == 0 {
+            return T::zero();
+        }
+        let entries = self.rows.iter().flat_map(|row| row.run.iter().chain(&row.border)).map(T::magnitude);
+        let largest = entries.fold(T::zero(), |x, y| if x < y { y } else { x });
+        largest * T::frac(self.unknowns as i64, 1 << 50)
     }
 
     /// Solves the triangular system of pivot rows from the last to the first.
@@ -100,7 +113,7 @@ impl<T: Scalar, C: Coeff<T>> BandedSystem<T, C> {
                 rest.add_scaled(&-weight.clone(), &reversed[self.unknowns - 1 - j]);
             }
             rest.scale(&(T::one() / pivot));
-            if !rest.is_finite() {
+            if !rest.all_finite() {
                 return Err(Error::Singular { row: row.index });
             }
             reversed.push(rest);
@@ -144,13 +157,14 @@ impl<T: Scalar, C: Coeff<T>> Row<T, C> {
     }
 }
 
-/// Removes the row with the largest entry; over an exact field the first that is not zero.
+/// Removes the row with the largest entry above `noise`; over an exact field the first that is not zero.
 fn take_pivot<T: Scalar, C>(
     rows: &mut Vec<Row<T, C>>,
+    noise: &T,
     entry: impl Fn(&Row<T, C>) -> Option<&T>,
 ) -> Option<Row<T, C>> {
     let sizes = rows.iter().enumerate().filter_map(|(i, row)| Some((i, entry(row)?.magnitude())));
-    let mut nonzero = sizes.filter(|(_, size)| !size.is_zero());
+    let mut nonzero = sizes.filter(|(_, size)| size > noise);
     let chosen = if T::EXACT {
         nonzero.next()
     } else {

@@ -6,11 +6,10 @@
 use crate::coeff::Coeff;
 use crate::error::{Error, Result};
 use crate::functional::{Functional, weigh};
+use crate::gather::{Gather, wrap};
+use crate::limits::check_entries;
 use crate::scalar::Scalar;
 use nalgebra::DMatrix;
-
-/// The largest number of entries of a dense matrix or map.
-pub const MAX_ENTRIES: usize = 1 << 28;
 
 /// A linear map as rows: target coefficient `i` is the functional `row(i)` of the source coefficients.
 ///
@@ -22,7 +21,7 @@ pub const MAX_ENTRIES: usize = 1 << 28;
 /// assert_eq!(halve.transpose().apply(&[2.0, 4.0])?, [1.0, 5.0]);
 /// # Ok::<(), symspline::Error>(())
 /// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct LinearMap<T> {
     source_dim: usize,
     /// Row `i` has `weights[ends[i - 1]..ends[i]]` on the coefficients from `firsts[i]`.
@@ -164,6 +163,9 @@ impl<T: Scalar> LinearMap<T> {
 
     /// The functional `functional ∘ self`: what `functional` sees of the coefficients before the map.
     ///
+    /// # Panics
+    /// If the map has no rows.
+    ///
     /// # Examples
     /// ```
     /// use symspline::SplineSpace;
@@ -212,7 +214,7 @@ impl<T: Scalar> LinearMap<T> {
     /// The dense matrix, `target_dim` by `source_dim`.
     ///
     /// # Errors
-    /// [`Error::TooLarge`] for more than [`MAX_ENTRIES`] entries.
+    /// [`Error::TooLarge`] for more than [`MAX_ENTRIES`](crate::limits::MAX_ENTRIES) entries.
     ///
     /// # Examples
     /// ```
@@ -232,56 +234,4 @@ impl<T: Scalar> LinearMap<T> {
         }
         Ok(matrix)
     }
-}
-
-/// Refuses dense matrices beyond [`MAX_ENTRIES`].
-pub(crate) fn check_entries(rows: usize, columns: usize) -> Result<()> {
-    match rows.saturating_mul(columns) {
-        0..=MAX_ENTRIES => Ok(()),
-        count => Err(Error::TooLarge { count, limit: MAX_ENTRIES }),
-    }
-}
-
-/// A sum of weights at scattered indices, gathered into one row.
-struct Gather<T> {
-    dense: Vec<T>,
-    seen: Vec<bool>,
-    /// The slots seen, each once.
-    touched: Vec<usize>,
-}
-
-impl<T: Scalar> Gather<T> {
-    fn new(dim: usize) -> Self {
-        Self { dense: vec![T::zero(); dim], seen: vec![false; dim], touched: Vec::new() }
-    }
-
-    fn add(&mut self, index: usize, weight: T) {
-        let slot = wrap(index, self.dense.len());
-        self.dense[slot] += weight;
-        if !std::mem::replace(&mut self.seen[slot], true) {
-            self.touched.push(slot);
-        }
-    }
-
-    /// Appends the shortest row, cyclically, that holds all touched weights; returns its first index.
-    fn drain_into(&mut self, weights: &mut Vec<T>) -> usize {
-        let dim = self.dense.len();
-        self.touched.sort_unstable();
-        let Some((&lowest, &highest)) = self.touched.first().zip(self.touched.last()) else { return 0 };
-        // The row starts after the widest gap between touched slots; the gap at the seam wins ties.
-        let seam_gap = lowest + dim - highest;
-        let inner = self.touched.windows(2).map(|pair| (pair[1] - pair[0], pair[1]));
-        let widest = inner.max_by_key(|gap| gap.0).filter(|gap| gap.0 > seam_gap);
-        let (gap, first) = widest.unwrap_or((seam_gap, lowest));
-        let take = |i: usize| std::mem::replace(&mut self.dense[wrap(first + i, dim)], T::zero());
-        weights.extend((0..=dim - gap).map(take));
-        self.touched.drain(..).for_each(|slot| self.seen[slot] = false);
-        first
-    }
-}
-
-/// `index` modulo `dim`, without a division where it need not wrap.
-#[inline]
-fn wrap(index: usize, dim: usize) -> usize {
-    if index < dim { index } else { index % dim }
 }

@@ -2,8 +2,9 @@
 
 use crate::error::Result;
 use crate::knots::KnotVector;
+use crate::limits::check_dim;
 use crate::scalar::Scalar;
-use crate::space::{SplineSpace, check_dim};
+use crate::space::SplineSpace;
 
 /// The parts of an open space: what its knots are left of, inside, and right of the domain.
 pub(crate) struct Parts<T> {
@@ -26,6 +27,19 @@ impl<T: Scalar> SplineSpace<T> {
             inner: inner.map(|copies| (copies[0].clone(), copies.len())).collect(),
             right: t[first_copy_of_end..=first_copy_of_end + self.degree()].to_vec(),
         }
+    }
+
+    /// The same space over another field.
+    ///
+    /// # Errors
+    /// The first error of `convert`, and those of [`new`](Self::new) if the converted knots do not serve.
+    pub fn map_scalars<U: Scalar>(&self, mut convert: impl FnMut(&T) -> Result<U>) -> Result<SplineSpace<U>> {
+        if self.is_periodic() {
+            let end = convert(self.domain().1)?;
+            let round = self.round_knots().iter().map(&mut convert).collect::<Result<Vec<U>>>()?;
+            return SplineSpace::joined(self.degree(), &KnotVector::new(round)?, end);
+        }
+        SplineSpace::new(self.degree(), self.knots().iter().map(convert).collect::<Result<Vec<U>>>()?)
     }
 
     /// The open space of `degree` with these parts.

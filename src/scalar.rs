@@ -2,7 +2,7 @@
 //!
 //! Every operator of the library is written once over a [`Scalar`], an ordered field. The two fields that come
 //! with it are `f64` and the exact rationals [`Q`](crate::exact::Q); a dual number or a field of fractions serves as
-//! well. What needs square roots or angles asks for a [`Real`].
+//! well. What needs square roots asks for a [`Real`].
 
 use num_traits::{One, Zero};
 use std::fmt::Display;
@@ -78,7 +78,7 @@ pub trait Scalar:
     }
 }
 
-/// A [`Scalar`] with square roots and angles.
+/// A [`Scalar`] with square roots.
 pub trait Real: Scalar {
     /// The non-negative square root.
     fn sqrt(&self) -> Self;

@@ -10,13 +10,8 @@
 
 use crate::error::{Error, Result};
 use crate::knots::KnotVector;
+use crate::limits::{check_degree, check_dim};
 use crate::scalar::Scalar;
-
-/// The highest degree a space may have.
-pub const MAX_DEGREE: usize = 512;
-
-/// The largest number of coefficients a space may have.
-pub const MAX_DIM: usize = 1 << 26;
 
 /// The splines of one degree over one knot vector.
 ///
@@ -37,7 +32,7 @@ pub const MAX_DIM: usize = 1 << 26;
 /// assert_eq!(ring.dim(), 3);
 /// # Ok::<(), symspline::Error>(())
 /// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct SplineSpace<T> {
     degree: usize,
     knots: KnotVector<T>,
@@ -102,13 +97,13 @@ impl<T: Scalar> SplineSpace<T> {
     /// The open space with clamped ends over `breaks`: the two ends once, the knots inside as often as they count.
     ///
     /// # Errors
-    /// As [`new`](Self::new), and [`Error::TooFewKnots`] for less than two breaks.
+    /// As [`new`](Self::new), and [`Error::TooFewKnots`] for fewer than two breaks.
     ///
     /// # Examples
     /// ```
     /// use symspline::SplineSpace;
     /// let space = SplineSpace::clamped(2, [0.0, 1.0, 1.0, 2.0])?;
-    /// assert_eq!(**space.knots(), [0.0, 0.0, 0.0, 1.0, 1.0, 2.0, 2.0, 2.0]);
+    /// assert_eq!(space.knots().as_slice(), [0.0, 0.0, 0.0, 1.0, 1.0, 2.0, 2.0, 2.0]);
     /// # Ok::<(), symspline::Error>(())
     /// ```
     pub fn clamped(degree: usize, breaks: impl IntoIterator<Item = T>) -> Result<Self> {
@@ -139,7 +134,7 @@ impl<T: Scalar> SplineSpace<T> {
     /// The clamped space with `spans` equal spans on `[a, b]`.
     ///
     /// # Errors
-    /// As [`new`](Self::new); [`Error::TooLarge`] for more than [`MAX_DIM`] spans.
+    /// As [`new`](Self::new); [`Error::TooLarge`] for more than [`MAX_DIM`](crate::limits::MAX_DIM) spans.
     ///
     /// # Examples
     /// ```
@@ -150,11 +145,27 @@ impl<T: Scalar> SplineSpace<T> {
     /// ```
     pub fn uniform(degree: usize, spans: usize, a: T, b: T) -> Result<Self> {
         check_dim(spans)?;
-        let step = |i: usize| {
-            let s = T::frac(i as i64, spans.max(1) as i64);
-            if i == spans { b.clone() } else { a.clone() + (b.clone() - &a) * s }
-        };
-        Self::clamped(degree, (0..=spans).map(step))
+        Self::clamped(degree, (0..=spans).map(|i| even(&a, &b, i, spans)))
+    }
+
+    /// The periodic space with `spans` equal spans on `[a, b]`.
+    ///
+    /// # Errors
+    /// As [`periodic`](Self::periodic); [`Error::TooLarge`] for more than [`MAX_DIM`](crate::limits::MAX_DIM) spans.
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::SplineSpace;
+    /// assert_eq!(SplineSpace::uniform_periodic(3, 8, 0.0, 1.0)?.dim(), 8);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    pub fn uniform_periodic(degree: usize, spans: usize, a: T, b: T) -> Result<Self> {
+        check_dim(spans)?;
+        if spans == 0 {
+            return Err(Error::TooFewKnots { expected: 1, found: 0 });
+        }
+        let knots = (0..spans).map(|i| even(&a, &b, i, spans));
+        Self::joined(degree, &KnotVector::new(knots)?, b.clone())
     }
 
     /// The periodic space whose `knots` run once round from the seam, the seam itself at the start only:
@@ -163,15 +174,19 @@ impl<T: Scalar> SplineSpace<T> {
     /// The domain is `[knots[0], knots[0] + period]`; coefficient `i` is the one with support from knot `t_i` of
     /// [`knots`](Self::knots), where `t_p` is the last copy of the seam.
     ///
+    /// In `f64` the knots beyond the domain are rounded sums, `knot + k * period`: with spans shorter than the rounding of
+    /// the period, relative to them, the space is not quite periodic.
+    ///
     /// # Errors
-    /// As [`new`](Self::new); [`Error::EmptyDomain`] if a knot lies a period or more after the first.
+    /// As [`new`](Self::new); [`Error::EmptyDomain`] if a knot lies a period or more after the first;
+    /// [`Error::SpanOutOfRange`] if knots beyond the domain fall together by rounding.
     ///
     /// # Examples
     /// ```
     /// use symspline::SplineSpace;
     /// let ring = SplineSpace::periodic(2, [0.0, 1.0, 3.0], 4.0)?;
     /// assert_eq!((ring.dim(), ring.domain()), (3, (&0.0, &4.0)));
-    /// assert_eq!(**ring.knots(), [-3.0, -1.0, 0.0, 1.0, 3.0, 4.0, 5.0, 7.0]);
+    /// assert_eq!(ring.knots().as_slice(), [-3.0, -1.0, 0.0, 1.0, 3.0, 4.0, 5.0, 7.0]);
     /// # Ok::<(), symspline::Error>(())
     /// ```
     pub fn periodic(degree: usize, knots: impl IntoIterator<Item = T>, period: T) -> Result<Self> {
@@ -208,7 +223,12 @@ impl<T: Scalar> SplineSpace<T> {
         });
         let space = Self { degree, knots: KnotVector::new(unrolled)?, dim: m, periodic: true };
         space.check_knots()?;
-        Ok(space)
+        // Rounding may not make knots fall together a period away that are distinct here.
+        let same = |j: usize| space.knots[j] == space.knots[j + 1];
+        match (0..2 * degree).find(|&j| same(j) != same(j + m)) {
+            Some(index) => Err(Error::SpanOutOfRange { index }),
+            None => Ok(space),
+        }
     }
 
     fn check_knots(&self) -> Result<()> {
@@ -330,8 +350,12 @@ impl<T: Scalar> SplineSpace<T> {
     pub fn greville(&self) -> Vec<T> {
         let t = self.knots();
         let mean = |i: usize| match self.degree {
-            0 => (t[i].clone() + &t[i + 1]) / T::int(2),
-            p => t[i + 1..=i + p].iter().fold(T::zero(), |sum, t| sum + t) / T::int(p as i64),
+            0 => t[i].clone() + (t[i + 1].clone() - &t[i]) / T::int(2),
+            // From the first of them, so that no sum overflows.
+            p => {
+                let rises = t[i + 1..=i + p].iter().fold(T::zero(), |sum, x| sum + (x.clone() - &t[i + 1]));
+                t[i + 1].clone() + rises / T::int(p as i64)
+            }
         };
         (0..self.dim).map(mean).collect()
     }
@@ -345,19 +369,6 @@ impl<T: Scalar> SplineSpace<T> {
             k -= 1;
         }
         k
-    }
-
-    /// The same space over another field.
-    ///
-    /// # Errors
-    /// The first error of `convert`, and those of [`new`](Self::new) if the converted knots do not serve.
-    pub fn map_scalars<U: Scalar>(&self, mut convert: impl FnMut(&T) -> Result<U>) -> Result<SplineSpace<U>> {
-        if self.periodic {
-            let end = convert(self.domain().1)?;
-            let round = self.round_knots().iter().map(&mut convert).collect::<Result<Vec<U>>>()?;
-            return SplineSpace::joined(self.degree, &KnotVector::new(round)?, end);
-        }
-        SplineSpace::new(self.degree, self.knots.iter().map(convert).collect::<Result<Vec<U>>>()?)
     }
 
     /// The knots of one period, from the first copy of the seam.
@@ -376,18 +387,7 @@ impl<T: Scalar> SplineSpace<T> {
     }
 }
 
-/// Refuses degrees beyond [`MAX_DEGREE`].
-pub(crate) fn check_degree(degree: usize) -> Result<()> {
-    match degree {
-        0..=MAX_DEGREE => Ok(()),
-        _ => Err(Error::DegreeTooHigh { degree, limit: MAX_DEGREE }),
-    }
-}
-
-/// Refuses numbers of coefficients beyond [`MAX_DIM`].
-pub(crate) fn check_dim(dim: usize) -> Result<()> {
-    match dim {
-        0..=MAX_DIM => Ok(()),
-        _ => Err(Error::TooLarge { count: dim, limit: MAX_DIM }),
-    }
+/// Step `i` of `steps` equal ones from `a` to `b`, both ends without rounding.
+fn even<T: Scalar>(a: &T, b: &T, i: usize, steps: usize) -> T {
+    if i == steps { b.clone() } else { a.clone() + (b.clone() - a) * T::frac(i as i64, steps.max(1) as i64) }
 }

@@ -3,9 +3,10 @@
 use crate::coeff::Coeff;
 use crate::error::{Error, Result};
 use crate::functional::weigh;
+use crate::limits::check_degree;
 use crate::polar::blossom;
 use crate::scalar::Scalar;
-use crate::space::{SplineSpace, check_degree};
+use crate::space::SplineSpace;
 use nalgebra::SVector;
 
 /// A spline `f(x) = Σ c_i N_i(x)` with coefficients `c_i` of any kind.
@@ -25,7 +26,7 @@ use nalgebra::SVector;
 /// assert_eq!(curve.at(&1.0)?, vector![2.0, 2.0]);
 /// # Ok::<(), symspline::Error>(())
 /// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Spline<T, C = T> {
     space: SplineSpace<T>,
     coeffs: Vec<C>,
@@ -55,7 +56,7 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
         if coeffs.len() != space.dim() {
             return Err(Error::CoefficientCount { expected: space.dim(), found: coeffs.len() });
         }
-        match coeffs.iter().position(|c| !c.is_finite()) {
+        match coeffs.iter().position(|c| !c.all_finite()) {
             Some(index) => Err(Error::NotFinite { what: "coefficient", index }),
             None => Ok(Self { space, coeffs }),
         }

@@ -26,3 +26,10 @@ pub(crate) fn length<T: Real, const N: usize>(vector: &SVector<T, N>) -> T {
         size => size.unwrap_or_else(T::zero),
     }
 }
+
+/// Direction and length of a vector, if it has a direction.
+pub(crate) fn unit<T: Real, const N: usize>(vector: &SVector<T, N>) -> Option<(SVector<T, N>, T)> {
+    let size = length(vector);
+    let usable = !size.is_zero() && size.is_finite();
+    usable.then(|| (vector.map(|x| x / &size), size))
+}

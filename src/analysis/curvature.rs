@@ -8,7 +8,7 @@ use crate::coeff::Coeff;
 use crate::error::{Error, Result};
 use crate::scalar::Real;
 use crate::spline::{Curve, Spline};
-use crate::vector::{cross2, cross3, length};
+use crate::vector::{cross2, cross3, length, unit};
 use nalgebra::SVector;
 
 /// Points whose curves have a curvature: those of the plane and of space.
@@ -31,19 +31,14 @@ impl<T: Real> Curved<T> for SVector<T, 3> {
     }
 }
 
-/// Direction and length of a vector that has a direction.
-fn unit<T: Real, const N: usize>(vector: &SVector<T, N>) -> Option<(SVector<T, N>, T)> {
-    let size = length(vector);
-    (!size.is_zero()).then(|| (vector.scaled(&(T::one() / &size)), size))
-}
-
 impl<T: Real, C: Curved<T>> Spline<T, C> {
     /// The curvature at `x`, from the right.
     ///
     /// Signed in the plane (positive where the curve turns left), not negative in space.
     ///
     /// # Errors
-    /// [`Error::OutsideDomain`]; [`Error::Stationary`] where the derivative vanishes.
+    /// [`Error::OutsideDomain`]; [`Error::Stationary`] where the derivative vanishes; [`Error::NotFinite`] where the
+    /// curvature overflows.
     ///
     /// # Examples
     /// ```
@@ -57,8 +52,11 @@ impl<T: Real, C: Curved<T>> Spline<T, C> {
     /// ```
     pub fn curvature_at(&self, x: &T) -> Result<T> {
         let derivatives = self.derivatives_at(x, 2)?;
-        let curvature = C::curvature(&derivatives[1], &derivatives[2]);
-        curvature.ok_or_else(|| Error::Stationary { parameter: x.to_string() })
+        match C::curvature(&derivatives[1], &derivatives[2]) {
+            Some(curvature) if curvature.is_finite() => Ok(curvature),
+            Some(_) => Err(Error::NotFinite { what: "curvature", index: 0 }),
+            None => Err(Error::Stationary { parameter: x.to_string() }),
+        }
     }
 
     /// The curvatures at `parameters`.
@@ -108,6 +106,9 @@ impl<T: Real, const N: usize> Curve<T, N> {
             across.add_scaled(&-along, &tangent);
             let mut tip = derivatives[0].clone();
             tip.add_scaled(&-(scale.clone() / &speed / speed), &across);
+            if !tip.all_finite() {
+                return Err(Error::NotFinite { what: "tooth", index: 0 });
+            }
             Ok((derivatives[0].clone(), tip))
         };
         parameters.iter().map(tooth).collect()

@@ -14,7 +14,7 @@ use crate::spline::Spline;
 use std::cmp::Ordering;
 
 /// What least squares do with the first and last point.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Ends {
     /// They count like the others.
     Free,
@@ -28,7 +28,8 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     /// # Errors
     /// [`Error::CoefficientCount`]; [`Error::NotFinite`]; [`Error::OutsideDomain`];
     /// [`Error::ParametersDecrease`] unless parameters are in order; [`Error::Undetermined`] if a coefficient has no
-    /// parameter of its own; [`Error::Singular`] for a periodic space in which the data leave a freedom all the same.
+    /// parameter of its own; [`Error::Singular`] for a periodic space in which the data leave a freedom all the same, in
+    /// `f64` up to rounding.
     ///
     /// # Examples
     /// ```
@@ -52,6 +53,9 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     }
 
     /// The spline of `space` with the least sum of squared distances to `data` at `parameters`.
+    ///
+    /// In `f64` the normal equations square the condition of the problem: on very uneven knots, or with hardly more data
+    /// than coefficients, half of the digits may be lost where [`interpolating`](Self::interpolating) keeps all.
     ///
     /// # Errors
     /// As [`interpolating`](Self::interpolating), but there may be more data than coefficients.
@@ -104,7 +108,8 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     /// The largest squared distance of the spline from `data` at `parameters`.
     ///
     /// # Errors
-    /// [`Error::OutsideDomain`]; [`Error::CoefficientCount`] if the counts differ.
+    /// [`Error::OutsideDomain`]; [`Error::CoefficientCount`] if the counts differ; [`Error::NotFinite`] for data that are
+    /// not, or if a square overflows.
     ///
     /// # Examples
     /// ```
@@ -123,8 +128,11 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
             let residual = value.minus(datum);
             T::dot(residual.components().zip(residual.components()))
         };
-        let largest = values.iter().zip(data).map(squared).reduce(|s, t| if s < t { t } else { s });
-        Ok(largest.unwrap_or_else(T::zero))
+        let squares: Vec<T> = values.iter().zip(data).map(squared).collect();
+        match squares.iter().position(|square| !square.is_finite()) {
+            Some(index) => Err(Error::NotFinite { what: "residual", index }),
+            None => Ok(squares.into_iter().fold(T::zero(), |s, t| if s < t { t } else { s })),
+        }
     }
 }
 
@@ -136,7 +144,7 @@ fn check_data<T: Scalar, C: Coeff<T>>(space: &SplineSpace<T>, parameters: &[T], 
     if data.is_empty() || parameters.len() < space.dim() {
         return Err(Error::TooFewPoints { expected: space.dim(), found: data.len() });
     }
-    if let Some(index) = data.iter().position(|value| !value.is_finite()) {
+    if let Some(index) = data.iter().position(|value| !value.all_finite()) {
         return Err(Error::NotFinite { what: "point", index });
     }
     match parameters.windows(2).position(|pair| pair[0].partial_cmp(&pair[1]).is_none_or(Ordering::is_gt)) {
@@ -166,7 +174,10 @@ fn rows<T: Scalar>(space: &SplineSpace<T>, parameters: &[T]) -> Result<Vec<Funct
     if space.is_periodic() {
         return Ok(rows);
     }
-    let mut remaining = rows.iter();
+    // Repeated parameters say nothing new.
+    let mut last = None;
+    let fresh = |(_, x): &(&Functional<T>, &T)| last.replace((*x).clone()).as_ref() != Some(*x);
+    let mut remaining = rows.iter().zip(parameters).filter(fresh).map(|(row, _)| row);
     let weighs = |row: &Functional<T>, i: usize| {
         i.checked_sub(row.first()).and_then(|k| row.weights().get(k)).is_some_and(|w| !w.is_zero())
     };

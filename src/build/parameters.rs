@@ -1,16 +1,17 @@
 //! Parameters for points, and knots for parameters.
 
 use crate::error::{Error, Result};
+use crate::limits::check_degree;
 use crate::scalar::{Real, Scalar};
-use crate::space::{SplineSpace, check_degree};
+use crate::space::SplineSpace;
 use crate::vector::length;
 use nalgebra::SVector;
 
 /// Parameters from 0 to 1 that advance like the lengths of the polygon's legs [NURBS, 9.5].
 ///
 /// # Errors
-/// [`Error::TooFewPoints`] for less than two points, [`Error::NotFinite`]; [`Error::NoChord`] if the polygon has
-/// no length.
+/// [`Error::TooFewPoints`] for fewer than two points; [`Error::NotFinite`] for points that are not, or a length that
+/// overflows; [`Error::NoLength`] if all points coincide.
 ///
 /// # Examples
 /// ```
@@ -33,18 +34,22 @@ pub fn chord_length<T: Real, const N: usize>(points: &[SVector<T, N>]) -> Result
         sums.push(sums[sums.len() - 1].clone() + leg(pair));
     }
     let total = sums[sums.len() - 1].clone();
-    if total.is_zero() || !total.is_finite() {
-        return Err(Error::NoChord);
+    if total.is_zero() {
+        return Err(Error::NoLength);
+    }
+    if !total.is_finite() {
+        return Err(Error::NotFinite { what: "length", index: 0 });
     }
     sums.iter_mut().for_each(|sum| *sum /= &total);
     Ok(sums)
 }
 
 /// The clamped space for interpolation at `parameters`, with as many coefficients: each knot inside is the mean of
-/// `p` consecutive parameters, so that interpolation is always possible [NURBS, 9.8].
+/// `p` consecutive parameters, so that interpolation at distinct parameters is always possible
+/// [NURBS, 9.8].
 ///
 /// # Errors
-/// [`Error::TooFewPoints`] for less than `p + 1` parameters, and those of [`SplineSpace::new`].
+/// [`Error::TooFewPoints`] for fewer than `p + 1` parameters, and those of [`SplineSpace::new`].
 ///
 /// # Examples
 /// ```
@@ -76,7 +81,7 @@ pub fn interpolation_space<T: Scalar>(degree: usize, parameters: &[T]) -> Result
 /// parameters evenly, so that every span holds one [NURBS, 9.68, 9.69].
 ///
 /// # Errors
-/// [`Error::TooFewPoints`] if there are less parameters than `controls`; [`Error::CoefficientCount`] if `controls`
+/// [`Error::TooFewPoints`] if there are fewer parameters than `controls`; [`Error::CoefficientCount`] if `controls`
 /// is less than `p + 1`; those of [`SplineSpace::new`].
 ///
 /// # Examples

@@ -15,11 +15,11 @@ use crate::coeff::Coeff;
 use crate::error::{Error, Result};
 use crate::scalar::{Real, Scalar};
 use crate::spline::{Curve, Function, Spline};
-use crate::vector::{cross3, length};
+use crate::vector::{cross3, unit};
 use nalgebra::{SVector, vector};
 
 /// What stays in place at both ends.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Hold {
     /// The end points.
     Points,
@@ -51,17 +51,21 @@ impl Hold {
 /// assert_eq!(turn(&to), vector![Q::int(-4), Q::int(0)]);
 /// ```
 pub trait Turnable<T: Scalar>: Coeff<T> {
-    /// The similarity, without reflection, that takes `from` to `to`; nothing if `from` is zero.
+    /// The similarity, without reflection, that takes `from` to `to`; nothing if one of them has no direction.
     fn turn(from: &Self, to: &Self) -> Option<impl Fn(&Self) -> Self>;
 }
 
 impl<T: Scalar> Turnable<T> for SVector<T, 2> {
     /// Multiplication by the complex number `to / from`.
     fn turn(from: &Self, to: &Self) -> Option<impl Fn(&Self) -> Self> {
-        let square = T::dot(from.iter().zip(from.iter()));
-        if square.is_zero() {
+        // Of the order of one, so that squares neither overflow nor vanish.
+        let size =
+            if from[0].magnitude() < from[1].magnitude() { from[1].magnitude() } else { from[0].magnitude() };
+        if size.is_zero() {
             return None;
         }
+        let [from, to] = [from, to].map(|v| v.map(|x| x / &size));
+        let square = T::dot(from.iter().zip(from.iter()));
         let re = T::dot(to.iter().zip(from.iter())) / &square;
         let im = (to[1].clone() * &from[0] - to[0].clone() * &from[1]) / square;
         Some(move |v: &Self| {
@@ -73,35 +77,27 @@ impl<T: Scalar> Turnable<T> for SVector<T, 2> {
 
 impl<T: Real> Turnable<T> for SVector<T, 3> {
     /// The rotation by the least angle, about `from × to`, and the scaling `|to| / |from|`.
+    ///
+    /// The rotation is two reflections: the first takes `from` to the other side of the plane across half the angle,
+    /// the second turns it about. Both stay orthogonal however near the angle is to half a turn.
     fn turn(from: &Self, to: &Self) -> Option<impl Fn(&Self) -> Self> {
-        let sizes = length(from) * length(to);
-        if sizes.is_zero() {
-            return None;
-        }
-        let scale = length(to) / length(from);
-        let cosine = T::dot(from.iter().zip(to.iter())) / &sizes;
-        let sine = cross3(from, to).scaled(&(T::one() / sizes));
+        let ((start, from), (end, to)) = (unit(from)?, unit(to)?);
+        let scale = to / from;
+        let middle = unit(&(&start + &end));
         // Half a turn has no least axis: take one across `from`, near the coordinate axis it leans to least.
-        let opposite = T::one() + &cosine;
-        let half_turn = opposite.is_zero().then(|| across(from));
-        Some(move |v: &Self| {
-            let mut turned = v.clone();
-            match &half_turn {
-                Some(axis) => {
-                    let along = T::dot(axis.iter().zip(v.iter()));
-                    turned.scale(&-T::one());
-                    turned.add_scaled(&(T::int(2) * along), axis);
-                }
-                None => {
-                    let once = cross3(&sine, v);
-                    turned += cross3(&sine, &once).scaled(&(T::one() / &opposite));
-                    turned += once;
-                }
-            }
-            turned.scale(&scale);
-            turned
-        })
+        let (first, second) = match middle {
+            Some((middle, _)) => (middle, end),
+            None => (start.clone(), cross3(&across(&start), &start)),
+        };
+        Some(move |v: &Self| reflected(&reflected(v, &first), &second).scaled(&scale))
     }
+}
+
+/// The mirror image of `v` in the plane through the origin across the unit vector `normal`.
+fn reflected<T: Real>(v: &SVector<T, 3>, normal: &SVector<T, 3>) -> SVector<T, 3> {
+    let mut image = v.clone();
+    image.add_scaled(&(T::int(-2) * T::dot(v.iter().zip(normal.iter()))), normal);
+    image
 }
 
 /// A unit vector across `v`.
@@ -113,8 +109,7 @@ fn across<T: Real>(v: &SVector<T, 3>) -> SVector<T, 3> {
     } else {
         vector![T::zero(), T::zero(), T::one()]
     };
-    let normal = cross3(v, &least);
-    normal.scaled(&(T::one() / length(&normal)))
+    unit(&cross3(v, &least)).expect("an axis that `v` leans to least is not parallel to it").0
 }
 
 impl<T: Scalar, const N: usize> Curve<T, N>
@@ -129,7 +124,7 @@ where
     ///
     /// # Errors
     /// [`Error::NoChord`] if the matched points of the curve coincide at both ends, as in a closed curve: no scaling
-    /// puts them in place. [`Error::CoefficientCount`] if the result has less than `2 j + 2` control points. Those of
+    /// puts them in place. [`Error::CoefficientCount`] if the result has fewer than `2 j + 2` control points. Those of
     /// [`fine_tuned`](Curve::fine_tuned).
     ///
     /// # Examples
@@ -166,7 +161,7 @@ where
     let far = q.len() - 1 - j;
     let chord = |points: &[SVector<T, N>]| points[far].minus(&points[j]);
     let (source, target) = (chord(q), chord(i));
-    let turn = SVector::turn(&source, &target).filter(|_| !target.is_zero()).ok_or(Error::NoChord)?;
+    let turn = SVector::turn(&source, &target).filter(|_| !target.vanishes()).ok_or(Error::NoChord)?;
     let place = |k: usize| match k {
         // The matched points themselves, without rounding.
         k if k <= j || k >= far => i[k].clone(),

@@ -111,7 +111,7 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     /// # Ok::<(), symspline::Error>(())
     /// ```
     pub fn same_function(&self, other: &Self) -> Result<bool> {
-        Ok(self.difference(other)?.coeffs().iter().all(C::is_zero))
+        Ok(self.difference(other)?.coeffs().iter().all(C::vanishes))
     }
 }
 

@@ -58,17 +58,23 @@ impl<T: Scalar> SplineSpace<T> {
     /// # Ok::<(), symspline::Error>(())
     /// ```
     pub fn differentiation(&self) -> Result<LinearMap<T>> {
-        let (p, t, target) = (self.degree(), self.knots(), self.derivative_space()?);
+        let (p, target) = (self.degree(), self.derivative_space()?);
         let mut map = LinearMap::empty(self.dim(), target.dim());
         for i in 0..target.dim() {
             if p == 0 {
                 map.push(0, |weights| weights.push(T::zero()));
                 continue;
             }
-            let slope = T::int(p as i64) / (t[i + p + 1].clone() - &t[i + 1]);
+            let slope = self.slope(i);
             map.push(i, |weights| weights.extend([-slope.clone(), slope]));
         }
         Ok(map)
+    }
+
+    /// `p / (t_{i+p+1} - t_{i+1})`, by which leg `i` of the control polygon is stretched.
+    fn slope(&self, i: usize) -> T {
+        let (t, p) = (self.knots(), self.degree());
+        T::int(p as i64) / (t[i + p + 1].clone() - &t[i + 1])
     }
 }
 
@@ -89,14 +95,13 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     /// # Ok::<(), Error>(())
     /// ```
     pub fn derivative(&self) -> Result<Self> {
-        let (p, t, target) = (self.degree(), self.space().knots(), self.space().derivative_space()?);
+        let (p, target) = (self.degree(), self.space().derivative_space()?);
         if p == 0 {
             return Spline::new(target, self.coeffs().iter().map(C::zero_like).collect());
         }
         let leg = |i: usize| {
-            let slope = T::int(p as i64) / (t[i + p + 1].clone() - &t[i + 1]);
             let mut leg = self.coeff(i + 1).minus(self.coeff(i));
-            leg.scale(&slope);
+            leg.scale(&self.space().slope(i));
             leg
         };
         let coeffs = (0..target.dim()).map(leg).collect();
@@ -106,7 +111,8 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     /// The derivative of order `order`; of order 0 the spline itself.
     ///
     /// # Errors
-    /// As [`derivative`](Self::derivative).
+    /// As [`derivative`](Self::derivative): beyond the degree only a spline of one open span has derivatives, which are
+    /// zero. [`derivatives_at`](Self::derivatives_at) gives zeros in any case.
     ///
     /// # Examples
     /// ```
@@ -115,7 +121,7 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     /// # Ok::<(), symspline::Error>(())
     /// ```
     pub fn nth_derivative(&self, order: usize) -> Result<Self> {
-        crate::space::check_degree(order)?;
+        crate::limits::check_degree(order)?;
         (0..order).try_fold(self.clone(), |f, _| f.derivative())
     }
 }

@@ -96,7 +96,7 @@ impl<T: Scalar> SplineSpace<T> {
 
     /// The derivative of order `order` as a map, with its space.
     fn nth_differentiation(&self, order: usize) -> Result<(LinearMap<T>, Self)> {
-        crate::space::check_degree(order)?;
+        crate::limits::check_degree(order)?;
         let start = (LinearMap::identity(self.dim()), self.clone());
         (0..order).try_fold(start, |(map, space), _| {
             let next = space.derivative_space()?;

@@ -9,10 +9,12 @@
 use crate::coeff::Coeff;
 use crate::error::{Error, Result};
 use crate::functional::Functional;
-use crate::map::{LinearMap, check_entries};
+use crate::limits::check_degree;
+use crate::limits::check_entries;
+use crate::map::LinearMap;
 use crate::polar::blossom;
 use crate::scalar::Scalar;
-use crate::space::{SplineSpace, check_degree};
+use crate::space::SplineSpace;
 use crate::spline::Spline;
 
 impl<T: Scalar> SplineSpace<T> {
@@ -91,8 +93,11 @@ impl<T: Scalar> SplineSpace<T> {
 
     /// The integral from `x` to `y` as a functional; negative if `y < x`.
     ///
+    /// The coefficients on `[x, y]`, times what their basis functions weigh there: nothing cancels however short the
+    /// interval is.
+    ///
     /// # Errors
-    /// [`Error::OutsideDomain`].
+    /// [`Error::OutsideDomain`]; in `f64` [`Error::SpanOutOfRange`] if `x` and `y` are hardly distinct.
     ///
     /// # Examples
     /// ```
@@ -102,9 +107,15 @@ impl<T: Scalar> SplineSpace<T> {
     /// # Ok::<(), symspline::Error>(())
     /// ```
     pub fn integral_between(&self, x: &T, y: &T) -> Result<Functional<T>> {
-        let [from, to] = [x, y].map(|x| Ok(self.integral_up_to(self.locate(x)?, x)));
-        let weights: Vec<T> = to?.into_iter().zip(from?).map(|(to, from)| to - from).collect();
-        Ok(Functional::new(0, weights))
+        self.locate(x)?;
+        self.locate(y)?;
+        if x == y {
+            return Ok(Functional::new(0, []));
+        }
+        let (from, to, sign) = if x < y { (x, y, T::one()) } else { (y, x, -T::one()) };
+        let part = self.restricted_space(from, to)?;
+        let masses: Vec<T> = (0..part.dim()).map(|i| part.mass(i) * &sign).collect();
+        Ok(self.insertion_rows(&part).pull_back(&Functional::new(0, masses)))
     }
 }
 
@@ -135,7 +146,7 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
         }
         if !space.is_periodic() {
             coeffs.push(sum);
-        } else if !sum.is_zero() {
+        } else if !sum.vanishes() {
             let parts: Vec<String> = sum.components().map(T::to_string).collect();
             return Err(Error::NonZeroMean { integral: parts.join(", ") });
         }
@@ -150,7 +161,7 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     /// The integral over the domain.
     ///
     /// # Errors
-    /// None for a valid spline.
+    /// [`Error::NotFinite`] on overflow.
     ///
     /// # Examples
     /// ```
@@ -167,7 +178,7 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     /// The integral from `x` to `y`; negative if `y < x`.
     ///
     /// # Errors
-    /// [`Error::OutsideDomain`].
+    /// As [`SplineSpace::integral_between`]; [`Error::NotFinite`] on overflow.
     ///
     /// # Examples
     /// ```
@@ -177,6 +188,11 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     /// # Ok::<(), symspline::Error>(())
     /// ```
     pub fn integral_between(&self, x: &T, y: &T) -> Result<C> {
-        Ok(self.space().integral_between(x, y)?.apply(self.coeffs()))
+        let integral = self.space().integral_between(x, y)?.apply(self.coeffs());
+        if integral.all_finite() {
+            Ok(integral)
+        } else {
+            Err(Error::NotFinite { what: "integral", index: 0 })
+        }
     }
 }

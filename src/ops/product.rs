@@ -258,3 +258,15 @@ impl<T: Scalar, C: Coeff<T>> Mul<Spline<T, C>> for Function<T> {
         &self * &other
     }
 }
+
+impl<T: Scalar, const N: usize> Mul<&Function<T>> for &Curve<T, N> {
+    type Output = Curve<T, N>;
+
+    /// The [product](Spline::times) of a curve and a scalar spline.
+    ///
+    /// # Panics
+    /// With the text of its error.
+    fn mul(self, factor: &Function<T>) -> Curve<T, N> {
+        factor * self
+    }
+}

@@ -27,11 +27,15 @@ impl<T: Scalar> SplineSpace<T> {
         }
         let (a, b) = self.domain();
         let (from, to) = (self.length(), end.clone() - start);
-        let moved = |t: &T| match () {
-            // The ends go to the ends without rounding.
-            () if t == a => start.clone(),
-            () if t == b => end.clone(),
-            () => start.clone() + (t.clone() - a) * &to / &from,
+        // The ends go to the ends without rounding.
+        let moved = |t: &T| {
+            if t == a {
+                start.clone()
+            } else if t == b {
+                end.clone()
+            } else {
+                start.clone() + (t.clone() - a) * &to / &from
+            }
         };
         if self.is_periodic() {
             let round: Vec<(T, usize)> = self.round().iter().map(|(t, m)| (moved(t), *m)).collect();

@@ -12,7 +12,7 @@ impl<T: Scalar> SplineSpace<T> {
     /// The space with clamped ends of the restrictions to `[a, b]`.
     ///
     /// # Errors
-    /// [`Error::OutsideDomain`], [`Error::EmptyDomain`].
+    /// [`Error::OutsideDomain`], [`Error::EmptyDomain`]; in `f64` [`Error::SpanOutOfRange`] if `a` and `b` are hardly distinct.
     ///
     /// # Examples
     /// ```

@@ -10,8 +10,10 @@ use crate::spline::Spline;
 impl<T: Scalar> SplineSpace<T> {
     /// The space of the splines `x -> f(a + b - x)` on the same domain `[a, b]`.
     ///
+    /// In `f64` the knots inside are rounded, so that reversing twice may not give the very same knots.
+    ///
     /// # Errors
-    /// [`Multiplicity`](crate::Error::Multiplicity) if rounding makes distinct knots coincide.
+    /// Those of [`new`](Self::new) if rounding makes distinct knots coincide.
     ///
     /// # Examples
     /// ```
@@ -22,11 +24,15 @@ impl<T: Scalar> SplineSpace<T> {
     /// ```
     pub fn reversed(&self) -> Result<Self> {
         let (a, b) = self.domain();
-        let mirror = |t: &T| match () {
-            // The ends change places without rounding.
-            () if t == a => b.clone(),
-            () if t == b => a.clone(),
-            () => a.clone() + b - t,
+        // The ends change places without rounding.
+        let mirror = |t: &T| {
+            if t == a {
+                b.clone()
+            } else if t == b {
+                a.clone()
+            } else {
+                a.clone() + b - t
+            }
         };
         if self.is_periodic() {
             let mut round: Vec<(T, usize)> =

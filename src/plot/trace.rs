@@ -16,7 +16,7 @@ const MAX_HALVINGS: usize = 12;
 /// A plane curve as a path, no further than `tolerance` from it (in the unit of its points). Jumps start anew.
 ///
 /// # Errors
-/// [`Error::BadTolerance`] unless `tolerance` is positive and finite.
+/// [`Error::BadTolerance`] unless `tolerance` is positive and finite, or if 4096 arcs for one piece do not reach it.
 ///
 /// # Examples
 /// ```
@@ -66,7 +66,10 @@ fn draw(path: &mut BezPath, piece: Curve<f64, 2>, tolerance: f64, halvings: usiz
         _ => hermite(&piece)?,
     };
     let within = |difference: &Curve<f64, 2>| difference.coeffs().iter().all(|c| c.norm() <= tolerance);
-    if piece.degree() > 3 && halvings > 0 && !within(&piece.difference(&cubic)?) {
+    if piece.degree() > 3 && !within(&piece.difference(&cubic)?) {
+        if halvings == 0 {
+            return Err(Error::BadTolerance { tolerance: tolerance.to_string() });
+        }
         let (a, b) = piece.domain();
         let (left, right) = piece.split(&(0.5 * (a + b)))?;
         draw(path, left, tolerance, halvings - 1)?;

@@ -4,7 +4,7 @@ use crate::strategies::{ANY, cases, function, probes};
 use proptest::collection::vec;
 use proptest::prelude::*;
 use proptest::sample::select;
-use symspline::space::MAX_DEGREE;
+use symspline::limits::MAX_DEGREE;
 use symspline::{
     BilinearMap, BilinearRow, Error, Function, Functional, KnotVector, LinearMap, Q, Scalar, SplineSpace,
 };

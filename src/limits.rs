@@ -1,0 +1,36 @@
+//! The sizes beyond which nothing is allocated.
+
+use crate::error::{Error, Result};
+
+/// The highest degree a space may have.
+pub const MAX_DEGREE: usize = 512;
+
+/// The largest number of coefficients a space may have.
+pub const MAX_DIM: usize = 1 << 26;
+
+/// The largest number of entries of a dense matrix or map.
+pub const MAX_ENTRIES: usize = 1 << 28;
+
+/// Refuses degrees beyond [`MAX_DEGREE`].
+pub(crate) fn check_degree(degree: usize) -> Result<()> {
+    match degree {
+        0..=MAX_DEGREE => Ok(()),
+        _ => Err(Error::DegreeTooHigh { degree, limit: MAX_DEGREE }),
+    }
+}
+
+/// Refuses numbers of coefficients beyond [`MAX_DIM`].
+pub(crate) fn check_dim(dim: usize) -> Result<()> {
+    match dim {
+        0..=MAX_DIM => Ok(()),
+        _ => Err(Error::TooLarge { count: dim, limit: MAX_DIM }),
+    }
+}
+
+/// Refuses dense matrices beyond [`MAX_ENTRIES`].
+pub(crate) fn check_entries(rows: usize, columns: usize) -> Result<()> {
+    match rows.saturating_mul(columns) {
+        0..=MAX_ENTRIES => Ok(()),
+        count => Err(Error::TooLarge { count, limit: MAX_ENTRIES }),
+    }
+}
