@@ -114,3 +114,41 @@ impl<T: Real, const N: usize> Curve<T, N> {
         parameters.iter().map(tooth).collect()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::space::SplineSpace;
+    use nalgebra::vector;
+
+    fn parabola(size: f64) -> Curve<f64, 2> {
+        let points = vec![vector![-size, size], vector![0.0, -size], vector![size, size]];
+        Curve::new(SplineSpace::bezier(2, -1.0, 1.0).unwrap(), points).unwrap()
+    }
+
+    #[test]
+    fn curvature_has_the_inverse_unit() {
+        for size in [1e-300, 1e-150, 1e150, 1e300] {
+            assert!(
+                (parabola(size).curvature_at(&0.5).unwrap() * size - 0.5_f64.sqrt()).abs() < 1e-14,
+                "{size}"
+            );
+        }
+    }
+
+    #[test]
+    fn curvature_beyond_the_range_is_an_error() {
+        assert_eq!(
+            parabola(1e-310).curvature_at(&0.0),
+            Err(Error::NotFinite { what: "curvature", index: 0 })
+        );
+    }
+
+    #[test]
+    fn a_point_has_no_curvature() {
+        let point = Curve::constant(SplineSpace::bezier(3, 0.0, 1.0).unwrap(), vector![1.0, 2.0]).unwrap();
+        for x in [0.0, 0.065_074_244_953_946_05, 1.0] {
+            assert!(matches!(point.curvature_at(&x), Err(Error::Stationary { .. })));
+        }
+    }
+}

@@ -191,3 +191,41 @@ fn rows<T: Scalar>(space: &SplineSpace<T>, parameters: &[T]) -> Result<Vec<Funct
 fn border<T: Scalar>(space: &SplineSpace<T>) -> usize {
     if space.is_periodic() { space.degree().min(space.dim()) } else { 0 }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::spline::Function;
+
+    #[test]
+    fn repeated_parameters_say_nothing_new() {
+        let space = SplineSpace::bezier(7, 0.0, 1.0).unwrap();
+        let parameters = [0.0, 0.1, 0.2, 0.2, 0.5, 0.6, 0.8, 0.8, 1.0];
+        let fit = Function::least_squares(&space, &parameters, &[1.0; 9], Ends::Free);
+        // At 1 only the last basis function is not zero: the one before it is left without a parameter.
+        assert_eq!(fit, Err(Error::Undetermined { index: 6 }));
+    }
+
+    #[test]
+    fn rings_that_cannot_interpolate_are_refused() {
+        // Quadratics at the knots of an even number of equal spans: alternating data have no answer.
+        for spans in [2, 4, 6, 8, 10, 50, 100] {
+            let space = SplineSpace::uniform_periodic(2, spans, 0.0, 1.0).unwrap();
+            let parameters: Vec<f64> = (0..spans).map(|i| i as f64 / spans as f64).collect();
+            let data: Vec<f64> = (0..spans).map(|i| (i * i % 7) as f64).collect();
+            let fit = Function::interpolating(&space, &parameters, &data);
+            assert!(matches!(fit, Err(Error::Singular { .. })), "{spans}: {fit:?}");
+        }
+    }
+
+    #[test]
+    fn rings_with_an_odd_number_of_spans_interpolate() {
+        for spans in [1, 3, 5, 51] {
+            let space = SplineSpace::uniform_periodic(2, spans, 0.0, 1.0).unwrap();
+            let parameters: Vec<f64> = (0..spans).map(|i| i as f64 / spans as f64).collect();
+            let data: Vec<f64> = (0..spans).map(|i| (i * i % 7) as f64).collect();
+            let fit = Function::interpolating(&space, &parameters, &data).unwrap();
+            assert!(fit.largest_squared_residual(&parameters, &data).unwrap() < 1e-24);
+        }
+    }
+}

@@ -52,12 +52,12 @@ impl Hold {
 /// ```
 pub trait Turnable<T: Scalar>: Coeff<T> {
     /// The similarity, without reflection, that takes `from` to `to`; nothing if one of them has no direction.
-    fn turn(from: &Self, to: &Self) -> Option<impl Fn(&Self) -> Self>;
+    fn turn(from: &Self, to: &Self) -> Option<impl Fn(&Self) -> Self + use<Self, T>>;
 }
 
 impl<T: Scalar> Turnable<T> for SVector<T, 2> {
     /// Multiplication by the complex number `to / from`.
-    fn turn(from: &Self, to: &Self) -> Option<impl Fn(&Self) -> Self> {
+    fn turn(from: &Self, to: &Self) -> Option<impl Fn(&Self) -> Self + use<T>> {
         // Of the order of one, so that squares neither overflow nor vanish.
         let size =
             if from[0].magnitude() < from[1].magnitude() { from[1].magnitude() } else { from[0].magnitude() };
@@ -80,7 +80,7 @@ impl<T: Real> Turnable<T> for SVector<T, 3> {
     ///
     /// The rotation is two reflections: the first takes `from` to the other side of the plane across half the angle,
     /// the second turns it about. Both stay orthogonal however near the angle is to half a turn.
-    fn turn(from: &Self, to: &Self) -> Option<impl Fn(&Self) -> Self> {
+    fn turn(from: &Self, to: &Self) -> Option<impl Fn(&Self) -> Self + use<T>> {
         let ((start, from), (end, to)) = (unit(from)?, unit(to)?);
         let scale = to / from;
         let middle = unit(&(&start + &end));
@@ -172,4 +172,43 @@ where
         }
     };
     Spline::new(tuned.space().clone(), (0..q.len()).map(place).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn turns_near_half_a_turn_are_similarities() {
+        let from = vector![1.0, 0.0, 0.0];
+        for e in [0.0, 1e-300, 1e-12, 1e-8, 2e-8, 1e-7, 1e-6, 1e-3, 1.0] {
+            let to = vector![-2.0, 2.0 * e, 0.0];
+            let turn = Turnable::turn(&from, &to).unwrap();
+            let scale = to.norm();
+            assert!((turn(&from) - to).norm() <= 1e-7 * scale, "{e}");
+            let images = [vector![1.0, 0.0, 0.0], vector![0.0, 1.0, 0.0], vector![0.0, 0.0, 1.0]]
+                .map(|v| turn(&v) / scale);
+            for (i, u) in images.iter().enumerate() {
+                for (j, v) in images.iter().enumerate() {
+                    let expected = if i == j { 1.0 } else { 0.0 };
+                    assert!((u.dot(v) - expected).abs() < 1e-14, "{e}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn small_and_large_chords_turn_alike() {
+        for size in [1e-300, 1e-160, 1.0, 1e155, 1e300] {
+            let turn =
+                Turnable::turn(&vector![3.0 * size, 4.0 * size], &vector![-4.0 * size, 3.0 * size]).unwrap();
+            assert!((turn(&vector![1.0, 0.0]) - vector![0.0, 1.0]).norm() < 1e-15, "{size}");
+        }
+    }
+
+    #[test]
+    fn no_direction_no_turn() {
+        let zero = vector![0.0, 0.0];
+        assert!(Turnable::turn(&zero, &vector![1.0, 0.0]).is_none());
+    }
 }

@@ -196,3 +196,26 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::space::SplineSpace;
+    use crate::spline::{Function, Spline};
+
+    #[test]
+    fn short_intervals_lose_no_digits() {
+        let space = SplineSpace::clamped(3, [0.0, 1e6, 1e6 + 1e-3, 2e6]).unwrap();
+        let one = Function::constant(space, 1.0).unwrap();
+        for (x, y) in [(1e6, 1e6 + 1e-3), (5e5, 5e5 + 1e-10), (3.0, 1.5e6)] {
+            assert!((one.integral_between(&x, &y).unwrap() / (y - x) - 1.0).abs() < 1e-15);
+            assert!((one.integral_between(&y, &x).unwrap() / (y - x) + 1.0).abs() < 1e-15);
+        }
+        assert_eq!(one.integral_between(&7.0, &7.0).unwrap(), 0.0);
+    }
+
+    #[test]
+    fn overflow_is_an_error() {
+        let large = Spline::constant(SplineSpace::bezier(1, 0.0, 9.0).unwrap(), 1.7e308).unwrap();
+        assert!(large.integral().is_err());
+    }
+}

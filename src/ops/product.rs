@@ -10,7 +10,7 @@
 //! solved, and the cost is linear in the number of spans. That a coefficient of the product is a mean of products of
 //! polar values [Morken, 1991], [Ramshaw, 1989] is the definition with which the tests compare.
 
-use crate::bilinear::{BilinearMap, BilinearRow};
+use crate::bilinear::{BilinearMap, Window};
 use crate::coeff::Coeff;
 use crate::error::{Error, Result};
 use crate::ops::bernstein::bernstein_shares;
@@ -59,40 +59,7 @@ impl<T: Scalar> SplineSpace<T> {
             }
             window.into_row(self.dim(), other.dim())
         };
-        BilinearMap::from_rows(self.dim(), other.dim(), rows.rows().map(row))
-    }
-}
-
-/// A growing window of weights on index pairs.
-struct Window<T> {
-    weights: Vec<(usize, usize, T)>,
-}
-
-impl<T> Default for Window<T> {
-    fn default() -> Self {
-        Self { weights: Vec::new() }
-    }
-}
-
-impl<T: Scalar> Window<T> {
-    /// Adds `weight` times the product of two rows.
-    fn add_outer(&mut self, weight: &T, left: (usize, &[T]), right: (usize, &[T])) {
-        for (i, l) in (left.0..).zip(left.1) {
-            let scaled = weight.clone() * l;
-            self.weights.extend((right.0..).zip(right.1).map(|(j, r)| (i, j, scaled.clone() * r)));
-        }
-    }
-
-    /// The window as a row.
-    fn into_row(self, left_dim: usize, right_dim: usize) -> BilinearRow<T> {
-        let lows =
-            self.weights.iter().fold((usize::MAX, usize::MAX), |low, w| (low.0.min(w.0), low.1.min(w.1)));
-        let highs = self.weights.iter().fold((0, 0), |high, w| (high.0.max(w.0), high.1.max(w.1)));
-        let mut weights = vec![vec![T::zero(); highs.1 - lows.1 + 1]; highs.0 - lows.0 + 1];
-        for (i, j, weight) in self.weights {
-            weights[i - lows.0][j - lows.1] += weight;
-        }
-        BilinearRow { first: (lows.0 % left_dim, lows.1 % right_dim), weights }
+        BilinearMap::from_rows(self.dim(), other.dim(), rows.rows().map(row).collect::<Result<Vec<_>>>()?)
     }
 }
 

@@ -135,4 +135,12 @@ mod tests {
             assert!(matches!(graph_path(&line, tolerance), Err(Error::BadTolerance { .. })));
         }
     }
+
+    #[test]
+    fn tolerances_out_of_reach_are_refused() {
+        let points = vec![[0.0, 0.0], [1e9, 5e9], [2e9, -4e9], [3e9, 9e9], [4e9, -3e9], [5e9, 0.0]];
+        let points = points.into_iter().map(SVector::from).collect();
+        let curve = Curve::new(SplineSpace::bezier(5, 0.0, 1.0).unwrap(), points).unwrap();
+        assert!(matches!(curve_path(&curve, 1e-9), Err(Error::BadTolerance { .. })));
+    }
 }
