@@ -85,7 +85,9 @@ fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     print_table(&curve, &alpha, &tuned)?;
     let figure = draw(&curve, &alpha, &tuned)?;
     for extension in ["svg", "png"] {
-        let path = arguments.output.with_extension(extension);
+        let mut path = arguments.output.clone().into_os_string();
+        path.push(format!(".{extension}"));
+        let path = PathBuf::from(path);
         match extension {
             "svg" => figure.write_svg(&path)?,
             _ => figure.write_png(&path, 1.0)?,
@@ -165,8 +167,10 @@ fn print_table(curve: &Curve<f64, 2>, alpha: &Function<f64>, tuned: &[Tuned]) ->
         let at = samples(d.space(), 16);
         let kappa = curve.curvature_profile(&at)?;
         let largest = kappa.iter().fold(0.0_f64, |m, k| m.max(k.abs()));
-        let deviation =
-            at.iter().zip(&kappa).map(|(x, k)| Ok((d.curvature_at(x)? * alpha.at(x)? * scale - k).abs()));
+        let deviation = at
+            .iter()
+            .zip(&kappa)
+            .map(|(x, k)| Ok((d.curvature_at(x)? * alpha.at(x)?.abs() * scale - k).abs()));
         let deviation = deviation.collect::<symspline::Result<Vec<f64>>>()?.into_iter().fold(0.0, f64::max);
         row(name, d);
         let (start, end) = ((d.coeffs()[0] - first).norm(), (d.coeffs()[d.coeffs().len() - 1] - last).norm());
@@ -174,7 +178,10 @@ fn print_table(curve: &Curve<f64, 2>, alpha: &Function<f64>, tuned: &[Tuned]) ->
         println!("{:>26.1e}{start:>11.3} mm{end:>11.3} mm{time:>12}", deviation / largest);
     }
     println!();
-    println!("Holding both ends scales by {:.6}, so that κ_D α = κ / {0:.6} there.", tuned[1].scale);
+    println!(
+        "Holding both ends scales by {:.6}, so that κ_D α = κ / {0:.6} there: the column is of that.",
+        tuned[1].scale
+    );
     println!("The time is that of differentiation, product and integration (median of 101 runs).");
     Ok(())
 }
@@ -209,7 +216,7 @@ fn draw(curve: &Curve<f64, 2>, alpha: &Function<f64>, tuned: &[Tuned]) -> symspl
     let scale = Panel::new()
         .title("Scale function")
         .y_label("α")
-        .marked_polyline(controls, Marker::Circle, Style::line(Color::LIGHT_GRAY).width(1.0))
+        .marked_polyline(controls, Marker::Circle, Style::line(Color::GRAY).width(1.0))
         .label("control values")
         .path(graph_path(alpha, 1e-4)?, Style::line(Color::GREEN).width(2.0))
         .label("α")

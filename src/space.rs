@@ -391,31 +391,3 @@ impl<T: Scalar> SplineSpace<T> {
 fn even<T: Scalar>(a: &T, b: &T, i: usize, steps: usize) -> T {
     if i == steps { b.clone() } else { a.clone() + (b.clone() - a) * T::frac(i as i64, steps.max(1) as i64) }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn rings_whose_knots_fall_together_a_period_on_are_refused() {
-        let ring = SplineSpace::periodic(2, [0.0, 1e-20, 0.5], 1.0);
-        assert!(matches!(ring, Err(Error::SpanOutOfRange { .. })));
-        assert!(SplineSpace::periodic(2, [0.0, 1e-10, 0.5], 1.0).is_ok());
-    }
-
-    #[test]
-    fn spans_without_a_finite_inverse_are_refused() {
-        for knots in [[0.0, 5e-324], [-1.7e308, 1.7e308]] {
-            assert_eq!(
-                SplineSpace::clamped(3, knots),
-                Err(Error::SpanOutOfRange { index: if knots[0] == 0.0 { 3 } else { 0 } })
-            );
-        }
-    }
-
-    #[test]
-    fn abscissae_do_not_overflow() {
-        assert_eq!(SplineSpace::bezier(1, 1e308, 1.5e308).unwrap().greville(), [1e308, 1.5e308]);
-        assert!(SplineSpace::bezier(3, 1e308, 1.5e308).unwrap().greville().iter().all(|x| x.is_finite()));
-    }
-}

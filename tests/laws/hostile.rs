@@ -255,3 +255,26 @@ fn ragged_rows_are_no_bilinear_map() {
     assert_eq!(ragged, Err(Error::CoefficientCount { expected: 2, found: 1 }));
     assert!(BilinearMap::from_rows(2, 2, [row([vec![1.0, 2.0], vec![3.0, 4.0]])]).is_ok());
 }
+
+#[test]
+fn rings_whose_knots_fall_together_a_period_on_are_refused() {
+    let ring = SplineSpace::periodic(2, [0.0, 1e-20, 0.5], 1.0);
+    assert!(matches!(ring, Err(Error::SpanOutOfRange { .. })));
+    assert!(SplineSpace::periodic(2, [0.0, 1e-10, 0.5], 1.0).is_ok());
+}
+
+#[test]
+fn spans_without_a_finite_inverse_are_refused() {
+    for knots in [[0.0, 5e-324], [-1.7e308, 1.7e308]] {
+        assert_eq!(
+            SplineSpace::clamped(3, knots),
+            Err(Error::SpanOutOfRange { index: if knots[0] == 0.0 { 3 } else { 0 } })
+        );
+    }
+}
+
+#[test]
+fn abscissae_do_not_overflow() {
+    assert_eq!(SplineSpace::bezier(1, 1e308, 1.5e308).unwrap().greville(), [1e308, 1.5e308]);
+    assert!(SplineSpace::bezier(3, 1e308, 1.5e308).unwrap().greville().iter().all(|x| x.is_finite()));
+}
