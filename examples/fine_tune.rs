@@ -212,6 +212,14 @@ fn draw(curve: &Curve<f64, 2>, alpha: &Function<f64>, tuned: &[Tuned]) -> symspl
         let values = curve.curvature_profile(&at)?;
         profiles = profiles.polyline(at.into_iter().zip(values), Style::line(*color).width(1.5)).label(*name);
     }
+    // What the theory says of the free curve, on top of what it has.
+    let at = samples(curve.space(), 16);
+    let predicted =
+        at.iter().zip(curve.curvature_profile(&at)?).map(|(x, k)| Ok((*x, k / alpha.at(x)?.abs())));
+    let predicted = predicted.collect::<symspline::Result<Vec<_>>>()?;
+    profiles = profiles
+        .polyline(predicted, Style::line(Color::BLACK).width(1.2).dotted())
+        .label("κ / α of the original");
     let controls = alpha.space().greville().into_iter().zip(alpha.coeffs().iter().copied());
     let scale = Panel::new()
         .title("Scale function")
