@@ -68,6 +68,18 @@ pub trait Coeff<T: Scalar>: Clone + PartialEq + std::fmt::Debug + Send + Sync + 
         self.components().all(Scalar::is_finite)
     }
 
+    /// The squared size in which errors are measured, convex in `self`: of a number or a point the squared length, of a
+    /// row of them the largest.
+    fn squared_size(&self) -> T {
+        T::dot(self.components().zip(self.components()))
+    }
+
+    /// Whether `other` can be added: rows must be of the same length.
+    fn same_shape(&self, other: &Self) -> bool {
+        let _ = other;
+        true
+    }
+
     /// Whether every component is zero.
     fn vanishes(&self) -> bool {
         self.components().all(T::is_zero)

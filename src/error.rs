@@ -117,6 +117,12 @@ pub enum Error {
         /// How many there are.
         found: usize,
     },
+    /// Rows that should have the same length do not.
+    #[error("row {index} has another length than the first")]
+    Ragged {
+        /// The first row that differs.
+        index: usize,
+    },
     /// An index is out of range.
     #[error("index {index} is out of range for {length} values")]
     IndexOutOfRange {

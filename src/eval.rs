@@ -4,6 +4,7 @@
 //! coefficients as well: then a value costs one division. All weights are positive, so that it is as accurate as a
 //! value by itself.
 
+use crate::bernstein::binomials;
 use crate::coeff::Coeff;
 use crate::error::{Error, Result};
 use crate::functional::weigh;
@@ -89,11 +90,11 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
             blossom(t, k, k, |r| if r < i { b } else { a }, &mut weights);
             weigh(k - p, &weights, self.coeffs())
         });
-        let binomials: [T; ORDER] = std::array::from_fn(|i| T::int(binomial(p, i)));
+        let binomials = binomials::<T>(p);
         for x in run {
             let u = (x.clone() - a) / &width;
             let v = T::one() - &u;
-            let mut weights = binomials.clone();
+            let mut weights: [T; ORDER] = std::array::from_fn(|i| binomials[i].clone());
             let (mut us, mut vs) = (T::one(), T::one());
             for i in 1..ORDER {
                 us *= &u;
@@ -104,9 +105,4 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
             take(weigh(0, &weights, &bernstein));
         }
     }
-}
-
-/// The binomial coefficient `C(n, k)` of small numbers.
-fn binomial(n: usize, k: usize) -> i64 {
-    (0..k).fold(1, |product, i| product * (n - i) as i64 / (i + 1) as i64)
 }

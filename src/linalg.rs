@@ -6,7 +6,7 @@
 
 use crate::coeff::Coeff;
 use crate::error::{Error, Result};
-use crate::scalar::Scalar;
+use crate::scalar::{Scalar, larger};
 use std::collections::VecDeque;
 
 /// A square banded system with a border, rows sorted by the column where their run starts.
@@ -92,7 +92,7 @@ impl<T: Scalar, C: Coeff<T>> BandedSystem<T, C> {
             return T::zero();
         }
         let entries = self.rows.iter().flat_map(|row| row.run.iter().chain(&row.border)).map(T::magnitude);
-        let largest = entries.fold(T::zero(), |x, y| if x < y { y } else { x });
+        let largest = entries.fold(T::zero(), larger);
         largest * T::frac(self.unknowns as i64, 1 << 50)
     }
 

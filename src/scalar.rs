@@ -72,6 +72,16 @@ pub trait Scalar:
         if *self < Self::zero() { -self.clone() } else { self.clone() }
     }
 
+    /// A number not below the square root of `self`, for certified bounds: where sizes are squared, errors are not.
+    ///
+    /// Nothing is promised about how close it is, except over `f64` and [`Q`](crate::exact::Q): a few parts in `10^15`.
+    fn root_above(&self) -> Self {
+        // Newton's method from above stays above, in any ordered field.
+        let half = Self::frac(1, 2);
+        let step = |x: Self, _| if x.is_zero() { x } else { (self.clone() / &x + &x) * &half };
+        (0..6).fold((self.clone() + Self::one()) * &half, step)
+    }
+
     /// The sum of products `Σ a b`, the hook by which an exact field may reduce a whole row once.
     fn dot<'a>(pairs: impl Iterator<Item = (&'a Self, &'a Self)>) -> Self {
         pairs.fold(Self::zero(), |sum, (a, b)| sum + a.clone() * b)
@@ -84,6 +94,11 @@ pub trait Real: Scalar {
     fn sqrt(&self) -> Self;
     /// The nearest `f64`, for pictures and reports.
     fn to_f64(&self) -> f64;
+}
+
+/// The larger of two.
+pub(crate) fn larger<X: PartialOrd>(x: X, y: X) -> X {
+    if x < y { y } else { x }
 }
 
 impl Scalar for f64 {
@@ -102,6 +117,11 @@ impl Scalar for f64 {
     #[inline]
     fn magnitude(&self) -> Self {
         self.abs()
+    }
+
+    fn root_above(&self) -> Self {
+        let root = self.sqrt();
+        if root == 0.0 { root } else { root.next_up() }
     }
 }
 

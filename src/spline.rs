@@ -42,7 +42,7 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     /// The spline with `coeffs` in `space`.
     ///
     /// # Errors
-    /// [`Error::CoefficientCount`], [`Error::NotFinite`].
+    /// [`Error::CoefficientCount`], [`Error::Ragged`] if coefficients are rows of different lengths, [`Error::NotFinite`].
     ///
     /// # Examples
     /// ```
@@ -55,6 +55,9 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     pub fn new(space: SplineSpace<T>, coeffs: Vec<C>) -> Result<Self> {
         if coeffs.len() != space.dim() {
             return Err(Error::CoefficientCount { expected: space.dim(), found: coeffs.len() });
+        }
+        if let Some(index) = coeffs.iter().position(|c| !c.same_shape(&coeffs[0])) {
+            return Err(Error::Ragged { index });
         }
         match coeffs.iter().position(|c| !c.all_finite()) {
             Some(index) => Err(Error::NotFinite { what: "coefficient", index }),

@@ -1,6 +1,6 @@
 //! Lengths and cross products of points of the plane and of space, over any field.
 
-use crate::scalar::{Real, Scalar};
+use crate::scalar::{Real, Scalar, larger};
 use nalgebra::{SVector, vector};
 
 /// The cross product `x_1 y_2 - y_1 x_2` of two plane vectors.
@@ -16,7 +16,7 @@ pub(crate) fn cross3<T: Scalar>(c: &SVector<T, 3>, d: &SVector<T, 3>) -> SVector
 
 /// The Euclidean length of a vector, without overflow or underflow on the way.
 pub(crate) fn length<T: Real, const N: usize>(vector: &SVector<T, N>) -> T {
-    let largest = vector.iter().map(T::magnitude).reduce(|x, y| if x < y { y } else { x });
+    let largest = vector.iter().map(T::magnitude).reduce(larger);
     match largest {
         Some(size) if !size.is_zero() && size.is_finite() => {
             let share = |x: &T| x.clone() / &size;

@@ -8,7 +8,7 @@ use crate::coeff::Coeff;
 use crate::error::{Error, Result};
 use crate::functional::Functional;
 use crate::linalg::BandedSystem;
-use crate::scalar::Scalar;
+use crate::scalar::{Scalar, larger};
 use crate::space::SplineSpace;
 use crate::spline::Spline;
 use std::cmp::Ordering;
@@ -131,7 +131,7 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
         let squares: Vec<T> = values.iter().zip(data).map(squared).collect();
         match squares.iter().position(|square| !square.is_finite()) {
             Some(index) => Err(Error::NotFinite { what: "residual", index }),
-            None => Ok(squares.into_iter().fold(T::zero(), |s, t| if s < t { t } else { s })),
+            None => Ok(squares.into_iter().fold(T::zero(), larger)),
         }
     }
 }

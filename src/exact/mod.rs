@@ -12,6 +12,7 @@ mod fraction;
 mod arithmetic;
 mod convert;
 mod dot;
+mod root;
 
 use crate::error::{Error, Result};
 use crate::scalar::Scalar;
@@ -212,6 +213,10 @@ impl Scalar for Q {
 
     fn magnitude(&self) -> Self {
         self.abs()
+    }
+
+    fn root_above(&self) -> Self {
+        root::root_above(self)
     }
 
     fn dot<'a>(pairs: impl Iterator<Item = (&'a Self, &'a Self)>) -> Self {

@@ -13,7 +13,7 @@
 
 use crate::coeff::Coeff;
 use crate::error::{Error, Result};
-use crate::scalar::{Real, Scalar};
+use crate::scalar::{Real, Scalar, larger};
 use crate::spline::{Curve, Function, Spline};
 use crate::vector::{cross3, unit};
 use nalgebra::{SVector, vector};
@@ -59,8 +59,7 @@ impl<T: Scalar> Turnable<T> for SVector<T, 2> {
     /// Multiplication by the complex number `to / from`.
     fn turn(from: &Self, to: &Self) -> Option<impl Fn(&Self) -> Self + use<T>> {
         // Of the order of one, so that squares neither overflow nor vanish.
-        let size =
-            if from[0].magnitude() < from[1].magnitude() { from[1].magnitude() } else { from[0].magnitude() };
+        let size = larger(from[0].magnitude(), from[1].magnitude());
         if size.is_zero() {
             return None;
         }

@@ -10,7 +10,7 @@
 use crate::coeff::Coeff;
 use crate::error::Result;
 use crate::map::LinearMap;
-use crate::scalar::Scalar;
+use crate::scalar::{Scalar, larger};
 use crate::space::SplineSpace;
 use crate::spline::Spline;
 
@@ -62,7 +62,7 @@ impl<T: Scalar> SplineSpace<T> {
         let (mut args, mut free) = (Vec::with_capacity(p), Vec::with_capacity(p));
         let mut walk = SpanWalk::new(self);
         for j in 0..target.dim() {
-            let k = walk.span_right_of(later(&tau[j], target.domain().0));
+            let k = walk.span_right_of(larger(&tau[j], target.domain().0));
             args.clear();
             args.extend(&tau[j + 1..=j + p]);
             map.push_with(|weights| self.polar_into(k, &args, &mut free, weights));
@@ -78,7 +78,7 @@ impl<T: Scalar> SplineSpace<T> {
         let (mut row, mut part) = (vec![T::zero(); p + 1], Vec::with_capacity(p + 1));
         let mut walk = SpanWalk::new(self);
         for j in 0..raised.dim() {
-            let k = walk.span_right_of(later(&tau[j], raised.domain().0));
+            let k = walk.span_right_of(larger(&tau[j], raised.domain().0));
             let knots = &tau[j + 1..=j + p + 1];
             let (mut low, mut high) = (p, 0);
             args.clear();
@@ -123,11 +123,6 @@ impl<'a, T: Scalar> SpanWalk<'a, T> {
         }
         self.span
     }
-}
-
-/// The greater of two knots.
-fn later<'a, T: Scalar>(s: &'a T, t: &'a T) -> &'a T {
-    if s < t { t } else { s }
 }
 
 impl<T: Scalar, C: Coeff<T>> Spline<T, C> {

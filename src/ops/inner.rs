@@ -7,11 +7,11 @@
 //! `∫ B_i^p B_j^q = (b - a) / (p + q + 1) · C(p, i) C(q, j) / C(p + q, i + j)`, so that
 //! `G = Eᵀ D F` with the maps `E`, `F` from the spaces to the pieces of their derivatives and `D` block diagonal.
 
+use crate::bernstein::Shares;
 use crate::coeff::Coeff;
 use crate::error::Result;
 use crate::functional::Functional;
 use crate::map::LinearMap;
-use crate::ops::bernstein::bernstein_shares;
 use crate::scalar::Scalar;
 use crate::space::SplineSpace;
 use crate::spline::{Curve, Function, Spline};
@@ -62,11 +62,11 @@ impl<T: Scalar> SplineSpace<T> {
         let (f_pieces, g_pieces) = (common.pieces(p)?, common.pieces(q)?);
         let left = f.embedding(&f_pieces)?.after(&left_space.insertion_rows(&f))?.after(&left)?;
         let right = g.embedding(&g_pieces)?.after(&right_space.insertion_rows(&g))?.after(&right)?;
-        let shares = bernstein_shares::<T>(p, q);
+        let shares = Shares::<T>::new(p, q);
         let mut blocks = LinearMap::empty(g_pieces.dim(), f_pieces.dim());
         for (piece, ends) in common.breaks().windows(2).enumerate() {
             let scale = (ends[1].0.clone() - &ends[0].0) / T::int((p + q + 1) as i64);
-            for row in &shares {
+            for row in shares.rows() {
                 blocks.push(piece * (q + 1), |weights| {
                     weights.extend(row.iter().map(|share| scale.clone() * share));
                 });

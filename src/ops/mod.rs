@@ -5,7 +5,6 @@ pub mod embed;
 pub mod restrict;
 pub mod arithmetic;
 pub mod derivative;
-mod bernstein;
 pub mod recompose;
 pub mod product;
 pub mod integral;

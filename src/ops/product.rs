@@ -10,10 +10,10 @@
 //! solved, and the cost is linear in the number of spans. That a coefficient of the product is a mean of products of
 //! polar values [Morken, 1991], [Ramshaw, 1989] is the definition with which the tests compare.
 
+use crate::bernstein::Shares;
 use crate::bilinear::{BilinearMap, Window};
 use crate::coeff::Coeff;
 use crate::error::{Error, Result};
-use crate::ops::bernstein::bernstein_shares;
 use crate::scalar::Scalar;
 use crate::space::SplineSpace;
 use crate::spline::{Curve, Function, Spline};
@@ -42,19 +42,15 @@ impl<T: Scalar> SplineSpace<T> {
         let (p, q) = (self.degree(), other.degree());
         let left = self.embedding(&target.pieces(p)?)?;
         let right = other.embedding(&target.pieces(q)?)?;
-        let shares = bernstein_shares::<T>(p, q);
+        let shares = Shares::<T>::new(p, q);
         let rows = target.recomposition()?;
         let row = |(first, weights): (usize, &[T])| {
             let (piece, offset) = (first / (p + q + 1), first % (p + q + 1));
             let mut window = Window::default();
             for (k, weight) in (offset..).zip(weights) {
-                for i in k.saturating_sub(q)..=p.min(k) {
-                    let weight = weight.clone() * &shares[i][k - i];
-                    window.add_outer(
-                        &weight,
-                        left.row(piece * (p + 1) + i),
-                        right.row(piece * (q + 1) + k - i),
-                    );
+                for (i, j, share) in shares.meeting(k) {
+                    let weight = weight.clone() * share;
+                    window.add_outer(&weight, left.row(piece * (p + 1) + i), right.row(piece * (q + 1) + j));
                 }
             }
             window.into_row(self.dim(), other.dim())
@@ -91,18 +87,7 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
         let (p, q) = (self.degree(), other.degree());
         let left = self.embedded(&target.pieces(p)?)?;
         let right = other.embedded(&target.pieces(q)?)?;
-        let shares = bernstein_shares::<T>(p, q);
-        let mut pieces = Vec::with_capacity(left.coeffs().len() / (p + 1) * (p + q + 1));
-        for (a, b) in left.coeffs().chunks(p + 1).zip(right.coeffs().chunks(q + 1)) {
-            for k in 0..=p + q {
-                let from = k.saturating_sub(q);
-                let mut sum = pair(&a[from], &b[k - from]);
-                sum.scale(&shares[from][k - from]);
-                (from + 1..=p.min(k))
-                    .for_each(|i| sum.add_scaled(&shares[i][k - i], &pair(&a[i], &b[k - i])));
-                pieces.push(sum);
-            }
-        }
+        let pieces = Shares::new(p, q).multiply(left.coeffs(), right.coeffs(), &pair);
         let coeffs = target.recomposition()?.apply(&pieces)?;
         Spline::new(target, coeffs)
     }
