@@ -6,6 +6,7 @@ use crate::limits::check_degree;
 use crate::polar::{blossom, differentiate, take_run};
 use crate::scalar::Scalar;
 use crate::space::SplineSpace;
+use crate::window::{SMALL, small_weights};
 
 impl<T: Scalar> SplineSpace<T> {
     /// The value at `x` as a functional: the `p + 1` basis functions that do not vanish there, from the right.
@@ -25,6 +26,18 @@ impl<T: Scalar> SplineSpace<T> {
     /// ```
     pub fn basis(&self, x: &T) -> Result<Functional<T>> {
         Ok(self.basis_on(self.locate(x)?, x))
+    }
+
+    /// The weights, in the first `p` places, of the legs `c_{i+1} - c_i` in the first derivative on span `k`, for a degree
+    /// of 1 up to that of [`small_weights`].
+    #[inline]
+    pub(crate) fn leg_weights(&self, k: usize, x: &T) -> [T; SMALL] {
+        let (p, t) = (self.degree(), self.knots());
+        let mut weights = small_weights(t, k, p - 1, x);
+        for (j, w) in weights[..p].iter_mut().enumerate() {
+            *w *= T::int(p as i64) / (t[k + 1 + j].clone() - &t[k + 1 + j - p]);
+        }
+        weights
     }
 
     /// The value at `x` of the polynomial of span `k`.

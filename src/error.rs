@@ -205,6 +205,14 @@ pub enum Error {
         /// The parameter.
         parameter: String,
     },
+    /// The first derivatives of a surface are parallel, so that it has no normal there.
+    #[error("the surface has no normal at ({u}, {v})")]
+    NoNormal {
+        /// The first parameter.
+        u: String,
+        /// The second parameter.
+        v: String,
+    },
     /// All points coincide, so that nothing has a length.
     #[error("all points coincide, the polygon has no length")]
     NoLength,

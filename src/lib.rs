@@ -40,6 +40,7 @@ pub mod map;
 pub mod bilinear;
 pub mod knots;
 mod polar;
+mod window;
 mod bernstein;
 pub mod space;
 mod locate;
@@ -49,6 +50,7 @@ mod basis;
 pub mod spline;
 mod eval;
 pub mod ops;
+pub mod tensor;
 pub mod build;
 pub mod analysis;
 pub mod fine_tune;
@@ -70,6 +72,9 @@ pub use row::Row;
 pub use scalar::{Real, Scalar};
 pub use space::SplineSpace;
 pub use spline::{Curve, Function, Spline};
+pub use tensor::along::Direction;
+pub use tensor::form::QuadraticForm;
+pub use tensor::spline::{Surface, TensorSpline};
 
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]

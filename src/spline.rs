@@ -7,6 +7,7 @@ use crate::limits::check_degree;
 use crate::polar::blossom;
 use crate::scalar::Scalar;
 use crate::space::SplineSpace;
+use crate::window::derivatives;
 use nalgebra::SVector;
 
 /// A spline `f(x) = Σ c_i N_i(x)` with coefficients `c_i` of any kind.
@@ -197,24 +198,9 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     }
 
     /// Value and derivatives at `x` of the polynomial of span `k`.
-    ///
-    /// The coefficients under the span are differentiated first: where they agree there is nothing to round.
     fn derivatives_on(&self, k: usize, x: &T, order: usize) -> Vec<C> {
-        let (p, t) = (self.degree(), self.space.knots());
-        let mut window: Vec<C> = (k - p..=k).map(|i| self.coeff(i).clone()).collect();
-        let mut weights = vec![T::zero(); p + 1];
-        let mut derivatives = Vec::with_capacity(order + 1);
-        for q in (p.saturating_sub(order)..=p).rev() {
-            blossom(t, k, k, |_| x, &mut weights[..=q]);
-            derivatives.push(weigh(0, &weights[..=q], &window[..=q]));
-            // From degree q to q - 1: coefficient j belongs to the knot interval [t_i, t_{i+q}].
-            for (j, i) in (0..q).zip(k + 1 - q..) {
-                window[j] = window[j + 1].minus(&window[j]);
-                window[j].scale(&(T::int(q as i64) / (t[i + q].clone() - &t[i])));
-            }
-        }
-        derivatives.resize(order + 1, window[0].zero_like());
-        derivatives
+        let window = (k - self.degree()..=k).map(|i| self.coeff(i).clone()).collect();
+        derivatives(self.space.knots(), k, window, x, order)
     }
 
     /// The value at `x` of the polynomial of span `k`.

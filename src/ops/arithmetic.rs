@@ -4,9 +4,9 @@
 
 use crate::coeff::Coeff;
 use crate::error::Result;
+use crate::ops::signs::signs;
 use crate::scalar::Scalar;
 use crate::spline::Spline;
-use std::ops::{Add, Mul, Neg, Sub};
 
 impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     /// The sum `self + other`, in the [union](crate::SplineSpace::union) of the spaces.
@@ -115,96 +115,7 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     }
 }
 
-impl<T: Scalar, C: Coeff<T>> Add for &Spline<T, C> {
-    type Output = Spline<T, C>;
-
-    /// The [sum](Spline::sum).
-    ///
-    /// # Panics
-    /// With the text of its error.
-    fn add(self, other: Self) -> Spline<T, C> {
-        self.sum(other).unwrap_or_else(|error| panic!("{error}"))
-    }
-}
-
-impl<T: Scalar, C: Coeff<T>> Sub for &Spline<T, C> {
-    type Output = Spline<T, C>;
-
-    /// The [difference](Spline::difference).
-    ///
-    /// # Panics
-    /// With the text of its error.
-    fn sub(self, other: Self) -> Spline<T, C> {
-        self.difference(other).unwrap_or_else(|error| panic!("{error}"))
-    }
-}
-
-impl<T: Scalar, C: Coeff<T>> Neg for &Spline<T, C> {
-    type Output = Spline<T, C>;
-
-    fn neg(self) -> Spline<T, C> {
-        self.scaled(&-T::one()).expect("finite coefficients have finite negatives")
-    }
-}
-
-impl<T: Scalar, C: Coeff<T>> Mul<T> for &Spline<T, C> {
-    type Output = Spline<T, C>;
-
-    /// The [multiple](Spline::scaled).
-    ///
-    /// # Panics
-    /// With the text of its error.
-    fn mul(self, factor: T) -> Spline<T, C> {
-        self.scaled(&factor).unwrap_or_else(|error| panic!("{error}"))
-    }
-}
-
-/// The same signs for splines given by value.
-macro_rules! also_by_value {
-    ($($sign:ident $operator:ident),*) => {$(
-        impl<T: Scalar, C: Coeff<T>> $sign for Spline<T, C> {
-            type Output = Spline<T, C>;
-
-            fn $operator(self, other: Self) -> Spline<T, C> {
-                $sign::$operator(&self, &other)
-            }
-        }
-
-        impl<T: Scalar, C: Coeff<T>> $sign<&Spline<T, C>> for Spline<T, C> {
-            type Output = Spline<T, C>;
-
-            fn $operator(self, other: &Spline<T, C>) -> Spline<T, C> {
-                $sign::$operator(&self, other)
-            }
-        }
-
-        impl<T: Scalar, C: Coeff<T>> $sign<Spline<T, C>> for &Spline<T, C> {
-            type Output = Spline<T, C>;
-
-            fn $operator(self, other: Spline<T, C>) -> Spline<T, C> {
-                $sign::$operator(self, &other)
-            }
-        }
-    )*};
-}
-
-also_by_value!(Add add, Sub sub);
-
-impl<T: Scalar, C: Coeff<T>> Neg for Spline<T, C> {
-    type Output = Spline<T, C>;
-
-    fn neg(self) -> Spline<T, C> {
-        -&self
-    }
-}
-
-impl<T: Scalar, C: Coeff<T>> Mul<T> for Spline<T, C> {
-    type Output = Spline<T, C>;
-
-    fn mul(self, factor: T) -> Spline<T, C> {
-        &self * factor
-    }
-}
+signs!([T: Scalar, C: Coeff<T>] Spline<T, C>, T);
 
 #[cfg(test)]
 mod tests {

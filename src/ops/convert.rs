@@ -22,7 +22,7 @@ impl<C: Coeff<f64>> Spline<f64, C> {
     /// # Ok::<(), symspline::Error>(())
     /// ```
     pub fn to_exact(&self) -> Result<Spline<Q, C::Over<Q>>> {
-        self.map_scalars(|&x| Q::try_from(x))
+        self.map_scalars(image)
     }
 }
 
@@ -40,9 +40,19 @@ impl<C: Coeff<Q>> Spline<Q, C> {
     /// # Ok::<(), symspline::Error>(())
     /// ```
     pub fn to_f64(&self) -> Result<Spline<f64, C::Over<f64>>> {
-        self.map_scalars(|x| {
-            let rounded = x.to_f64();
-            if rounded.is_finite() { Ok(rounded) } else { Err(Error::NotFinite { what: "value", index: 0 }) }
-        })
+        self.map_scalars(rounded)
+    }
+}
+
+/// A double as the fraction that it is.
+pub(crate) fn image(x: &f64) -> Result<Q> {
+    Q::try_from(*x)
+}
+
+/// The nearest double, if there is one.
+pub(crate) fn rounded(x: &Q) -> Result<f64> {
+    match x.to_f64() {
+        nearest if nearest.is_finite() => Ok(nearest),
+        _ => Err(Error::NotFinite { what: "value", index: 0 }),
     }
 }

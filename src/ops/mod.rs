@@ -1,5 +1,6 @@
 //! The operators, one file each: the map on spaces, the method on splines, the sign where there is one.
 
+pub(crate) mod signs;
 pub mod convert;
 pub mod embed;
 pub mod restrict;
