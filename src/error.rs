@@ -123,6 +123,29 @@ pub enum Error {
         /// The first row that differs.
         index: usize,
     },
+    /// A weight is not positive.
+    #[error("weight {index} is {weight}, not positive")]
+    Weight {
+        /// Its index.
+        index: usize,
+        /// The weight.
+        weight: String,
+    },
+    /// A denominator vanishes somewhere.
+    #[error("the denominator has a zero")]
+    Pole,
+    /// Bisection did not tell whether a denominator vanishes.
+    #[error("whether the denominator has a zero could not be decided")]
+    Undecided,
+    /// A ratio is not positive.
+    #[error("the ratio {ratio} is not a positive number")]
+    Ratio {
+        /// The ratio given.
+        ratio: String,
+    },
+    /// The ends of an arc do not lie on one circle around the centre.
+    #[error("the ends of the arc are not at one distance from the centre")]
+    NotOnCircle,
     /// An index is out of range.
     #[error("index {index} is out of range for {length} values")]
     IndexOutOfRange {
@@ -243,4 +266,11 @@ pub enum Error {
         /// Why.
         message: String,
     },
+}
+
+impl Error {
+    /// [`Error::NoNormal`] at `(u, v)`.
+    pub(crate) fn no_normal(u: &impl ToString, v: &impl ToString) -> Self {
+        Self::NoNormal { u: u.to_string(), v: v.to_string() }
+    }
 }

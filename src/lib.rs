@@ -32,7 +32,8 @@ pub mod scalar;
 pub mod exact;
 pub mod coeff;
 pub mod row;
-mod vector;
+pub mod weighted;
+pub mod vector;
 mod linalg;
 pub mod functional;
 mod gather;
@@ -51,6 +52,7 @@ pub mod spline;
 mod eval;
 pub mod ops;
 pub mod tensor;
+pub mod rational;
 pub mod build;
 pub mod analysis;
 pub mod fine_tune;
@@ -59,6 +61,7 @@ pub mod plot;
 
 pub use analysis::curvature::Curved;
 pub use bilinear::{BilinearMap, BilinearRow};
+pub use build::conics::{arc, circle, conic, ellipse, segment};
 pub use build::fit::Ends;
 pub use build::parameters::{approximation_space, chord_length, interpolation_space};
 pub use coeff::Coeff;
@@ -68,6 +71,8 @@ pub use fine_tune::hold::{Hold, Turnable};
 pub use functional::Functional;
 pub use knots::KnotVector;
 pub use map::LinearMap;
+pub use rational::domain::{Domain, Interval, Rectangle};
+pub use rational::spline::{NurbsCurve, NurbsSurface, Rational, RationalFunction};
 pub use row::Row;
 pub use scalar::{Real, Scalar};
 pub use space::SplineSpace;
@@ -75,6 +80,8 @@ pub use spline::{Curve, Function, Spline};
 pub use tensor::along::Direction;
 pub use tensor::form::QuadraticForm;
 pub use tensor::spline::{Surface, TensorSpline};
+pub use vector::Crossed;
+pub use weighted::Weighted;
 
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]

@@ -1,7 +1,38 @@
 //! Lengths and cross products of points of the plane and of space, over any field.
 
+use crate::coeff::Coeff;
 use crate::scalar::{Real, Scalar, larger};
 use nalgebra::{SVector, vector};
+
+/// The dot product of two points.
+pub(crate) fn dot<T: Scalar, const N: usize>(c: &SVector<T, N>, d: &SVector<T, N>) -> T {
+    T::dot(c.iter().zip(d.iter()))
+}
+
+/// Points with a cross product: of the plane, where it is a number, and of space.
+pub trait Crossed<T: Scalar>: Coeff<T> {
+    /// What the cross product is.
+    type Product: Coeff<T>;
+
+    /// The cross product.
+    fn crossed(&self, other: &Self) -> Self::Product;
+}
+
+impl<T: Scalar> Crossed<T> for SVector<T, 2> {
+    type Product = T;
+
+    fn crossed(&self, other: &Self) -> T {
+        cross2(self, other)
+    }
+}
+
+impl<T: Scalar> Crossed<T> for SVector<T, 3> {
+    type Product = Self;
+
+    fn crossed(&self, other: &Self) -> Self {
+        cross3(self, other)
+    }
+}
 
 /// The cross product `x_1 y_2 - y_1 x_2` of two plane vectors.
 pub(crate) fn cross2<T: Scalar>(c: &SVector<T, 2>, d: &SVector<T, 2>) -> T {

@@ -56,11 +56,22 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     /// # Ok::<(), symspline::Error>(())
     /// ```
     pub fn plus_scaled(&self, weight: &T, other: &Self) -> Result<Self> {
+        self.paired_by(other, |c, d| {
+            let mut sum = c.clone();
+            sum.add_scaled(weight, d);
+            sum
+        })
+    }
+
+    /// Coefficients paired in the union of the spaces.
+    pub(crate) fn paired_by<A: Coeff<T>, B: Coeff<T>>(
+        &self,
+        other: &Spline<T, A>,
+        pair: impl Fn(&C, &A) -> B,
+    ) -> Result<Spline<T, B>> {
         let space = self.space().union(other.space())?;
-        let mut coeffs = self.embedded(&space)?.into_coeffs();
-        let others = other.embedded(&space)?;
-        coeffs.iter_mut().zip(others.coeffs()).for_each(|(c, d)| c.add_scaled(weight, d));
-        Spline::new(space, coeffs)
+        let (f, g) = (self.embedded(&space)?, other.embedded(&space)?);
+        Spline::new(space, f.coeffs().iter().zip(g.coeffs()).map(|(c, d)| pair(c, d)).collect())
     }
 
     /// The multiple `factor * self`.

@@ -7,15 +7,10 @@
 use crate::error::{Error, Result};
 use crate::scalar::{Real, Scalar};
 use crate::tensor::along::Direction::{U, V};
-use crate::tensor::form::QuadraticForm;
+use crate::tensor::form::{QuadraticForm, first_form, second_form};
 use crate::tensor::spline::{Surface, TensorSpline};
 use crate::vector::{cross3, unit};
 use nalgebra::SVector;
-
-/// The dot product of two points.
-fn dot<T: Scalar, const N: usize>(c: &SVector<T, N>, d: &SVector<T, N>) -> T {
-    T::dot(c.iter().zip(d.iter()))
-}
 
 impl<T: Scalar, const N: usize> Surface<T, N> {
     /// The first fundamental form, `S_u·S_u`, `S_u·S_v`, `S_v·S_v` as scalar surfaces.
@@ -48,11 +43,7 @@ impl<T: Scalar, const N: usize> Surface<T, N> {
     /// [`Error::OutsideDomain`].
     pub fn first_form_at(&self, u: &T, v: &T) -> Result<QuadraticForm<T>> {
         let [_, along_u, along_v] = self.tangents_at(u, v)?;
-        Ok(QuadraticForm {
-            uu: dot(&along_u, &along_u),
-            uv: dot(&along_u, &along_v),
-            vv: dot(&along_v, &along_v),
-        })
+        Ok(first_form(&along_u, &along_v))
     }
 }
 
@@ -129,7 +120,7 @@ impl<T: Real> Surface<T, 3> {
     /// ```
     pub fn unit_normal_at(&self, u: &T, v: &T) -> Result<SVector<T, 3>> {
         let normal = unit(&self.normal_at(u, v)?);
-        normal.map(|(direction, _)| direction).ok_or_else(|| no_normal(u, v))
+        normal.map(|(direction, _)| direction).ok_or_else(|| Error::no_normal(u, v))
     }
 
     /// The second fundamental form at a point.
@@ -148,16 +139,6 @@ impl<T: Real> Surface<T, 3> {
     /// # Ok::<(), symspline::Error>(())
     /// ```
     pub fn second_form_at(&self, u: &T, v: &T) -> Result<QuadraticForm<T>> {
-        let partials = self.derivatives_at(u, v, 2)?;
-        let (normal, _) = unit(&cross3(&partials[1][0], &partials[0][1])).ok_or_else(|| no_normal(u, v))?;
-        Ok(QuadraticForm {
-            uu: dot(&partials[2][0], &normal),
-            uv: dot(&partials[1][1], &normal),
-            vv: dot(&partials[0][2], &normal),
-        })
+        second_form(&self.derivatives_at(u, v, 2)?).ok_or_else(|| Error::no_normal(u, v))
     }
-}
-
-fn no_normal<T: Scalar>(u: &T, v: &T) -> Error {
-    Error::NoNormal { u: u.to_string(), v: v.to_string() }
 }

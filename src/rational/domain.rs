@@ -1,0 +1,156 @@
+//! What splines of one and of two parameters have in common, so that rational ones of both are one text.
+
+use crate::coeff::Coeff;
+use crate::error::Result;
+use crate::scalar::Scalar;
+use crate::spline::Spline;
+use crate::tensor::spline::TensorSpline;
+use std::fmt::Debug;
+
+mod sealed {
+    /// Only the kinds of this file have it.
+    pub trait Sealed {}
+    impl Sealed for super::Interval {}
+    impl Sealed for super::Rectangle {}
+}
+
+/// A kind of parameter domain, and the splines over it.
+pub trait Domain<T: Scalar>: Clone + Debug + PartialEq + sealed::Sealed {
+    /// The splines over such a domain.
+    type Spline<C: Coeff<T>>: Clone + Debug + PartialEq;
+
+    /// The coefficients.
+    fn coeffs<C: Coeff<T>>(spline: &Self::Spline<C>) -> &[C];
+
+    /// The spline over the same spaces with every coefficient replaced.
+    ///
+    /// # Errors
+    /// [`NotFinite`](crate::Error::NotFinite).
+    fn map_coeffs<C: Coeff<T>, D: Coeff<T>>(
+        spline: &Self::Spline<C>,
+        f: impl Fn(&C) -> D,
+    ) -> Result<Self::Spline<D>>;
+
+    /// The product under a bilinear pairing of coefficients.
+    ///
+    /// # Errors
+    /// As [`Spline::product_by`].
+    fn product<A: Coeff<T>, B: Coeff<T>, C: Coeff<T>>(
+        left: &Self::Spline<A>,
+        right: &Self::Spline<B>,
+        pair: impl Fn(&A, &B) -> C,
+    ) -> Result<Self::Spline<C>>;
+
+    /// Both written in the unions of their spaces, coefficients paired.
+    ///
+    /// # Errors
+    /// As [`Spline::sum`].
+    fn paired<A: Coeff<T>, B: Coeff<T>, C: Coeff<T>>(
+        left: &Self::Spline<A>,
+        right: &Self::Spline<B>,
+        pair: impl Fn(&A, &B) -> C,
+    ) -> Result<Self::Spline<C>>;
+
+    /// The Bernstein coefficients of the pieces, a flat grid each, with the degrees in `u` and in `v`.
+    ///
+    /// # Errors
+    /// As [`Spline::embedded`].
+    fn patches<C: Coeff<T>>(spline: &Self::Spline<C>) -> Result<Patches<C>>;
+}
+
+/// The pieces of a spline, with their degrees in `u` and in `v`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Patches<C> {
+    /// The degrees; of splines of one parameter the second is zero.
+    pub degrees: (usize, usize),
+    /// The Bernstein coefficients of each piece, row by row.
+    pub patches: Vec<Vec<C>>,
+}
+
+/// The domains of curves and functions: their splines are [`Spline`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Interval;
+
+/// The domains of surfaces: their splines are [`TensorSpline`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Rectangle;
+
+impl<T: Scalar> Domain<T> for Interval {
+    type Spline<C: Coeff<T>> = Spline<T, C>;
+
+    fn coeffs<C: Coeff<T>>(spline: &Spline<T, C>) -> &[C] {
+        spline.coeffs()
+    }
+
+    fn map_coeffs<C: Coeff<T>, D: Coeff<T>>(
+        spline: &Spline<T, C>,
+        f: impl Fn(&C) -> D,
+    ) -> Result<Spline<T, D>> {
+        Spline::new(spline.space().clone(), spline.coeffs().iter().map(f).collect())
+    }
+
+    fn product<A: Coeff<T>, B: Coeff<T>, C: Coeff<T>>(
+        left: &Spline<T, A>,
+        right: &Spline<T, B>,
+        pair: impl Fn(&A, &B) -> C,
+    ) -> Result<Spline<T, C>> {
+        left.product_by(right, pair)
+    }
+
+    fn paired<A: Coeff<T>, B: Coeff<T>, C: Coeff<T>>(
+        left: &Spline<T, A>,
+        right: &Spline<T, B>,
+        pair: impl Fn(&A, &B) -> C,
+    ) -> Result<Spline<T, C>> {
+        left.paired_by(right, pair)
+    }
+
+    fn patches<C: Coeff<T>>(spline: &Spline<T, C>) -> Result<Patches<C>> {
+        let p = spline.degree();
+        let pieces = spline.embedded(&spline.space().pieces(p)?)?;
+        let patches = pieces.coeffs().chunks(p + 1).map(<[C]>::to_vec).collect();
+        Ok(Patches { degrees: (p, 0), patches })
+    }
+}
+
+impl<T: Scalar> Domain<T> for Rectangle {
+    type Spline<C: Coeff<T>> = TensorSpline<T, C>;
+
+    fn coeffs<C: Coeff<T>>(spline: &TensorSpline<T, C>) -> &[C] {
+        spline.coeffs()
+    }
+
+    fn map_coeffs<C: Coeff<T>, D: Coeff<T>>(
+        spline: &TensorSpline<T, C>,
+        f: impl Fn(&C) -> D,
+    ) -> Result<TensorSpline<T, D>> {
+        spline.map_coeffs(f)
+    }
+
+    fn product<A: Coeff<T>, B: Coeff<T>, C: Coeff<T>>(
+        left: &TensorSpline<T, A>,
+        right: &TensorSpline<T, B>,
+        pair: impl Fn(&A, &B) -> C,
+    ) -> Result<TensorSpline<T, C>> {
+        left.product_by(right, pair)
+    }
+
+    fn paired<A: Coeff<T>, B: Coeff<T>, C: Coeff<T>>(
+        left: &TensorSpline<T, A>,
+        right: &TensorSpline<T, B>,
+        pair: impl Fn(&A, &B) -> C,
+    ) -> Result<TensorSpline<T, C>> {
+        left.paired_by(right, pair)
+    }
+
+    fn patches<C: Coeff<T>>(spline: &TensorSpline<T, C>) -> Result<Patches<C>> {
+        let (p, q) = (spline.u().degree(), spline.v().degree());
+        let pieces = spline.embedded(&spline.u().pieces(p)?, &spline.v().pieces(q)?)?;
+        let (width, strip) = (pieces.v().dim(), (p + 1) * pieces.v().dim());
+        let patch = |rows: &[C], first: usize| -> Vec<C> {
+            rows.chunks(width).flat_map(|row| &row[first..=first + q]).cloned().collect()
+        };
+        let in_strip = |rows: &[C]| (0..width).step_by(q + 1).map(|j| patch(rows, j)).collect::<Vec<_>>();
+        Ok(Patches { degrees: (p, q), patches: pieces.coeffs().chunks(strip).flat_map(in_strip).collect() })
+    }
+}
