@@ -4,7 +4,7 @@
 //! `c + (a + b) / (2 k)` and weights `w_0, w_1, w_2` with
 //!
 //! ```text
-//! w_1² / (w_0 w_2) = k = (1 + cos θ) / 2 = (a·a + a·b) / (2 a·a)         [NURBS, 7.33, with all three weights free]
+//! w_1² / (w_0 w_2) = k = (1 + cos θ) / 2 = (a·a + a·b) / (2 a·a)         [NURBS, section 7.3]
 //! ```
 //! The usual choice `w_0 = w_2 = 1` needs a square root. `w_0 = w_1 = 1`, `w_2 = 1 / k` does not, and arcs in a row have
 //! weights `..., e, 1, 1 / (e k), 1, ...`.

@@ -47,7 +47,7 @@ impl<T: Scalar, C: Coeff<T>> Rational<Interval, T, C> {
         Ok(self.lifted().eval(parameters)?.iter().map(Weighted::project).collect())
     }
 
-    /// Value and derivatives of orders `0 ..= order` at `x`, from the right, by the quotient rule [NURBS, 4.8].
+    /// Value and derivatives of orders `0 ..= order` at `x`, from the right, by the quotient rule [NURBS, section 4.3].
     ///
     /// # Errors
     /// [`Error::OutsideDomain`], [`Error::DegreeTooHigh`].
@@ -121,7 +121,7 @@ impl<T: Scalar, C: Coeff<T>> Rational<Rectangle, T, C> {
     }
 
     /// All partial derivatives up to `order` in each direction, as [`TensorSpline::derivatives_at`](crate::TensorSpline::derivatives_at), by the quotient rule
-    /// [NURBS, 4.20].
+    /// [NURBS, section 4.5].
     ///
     /// # Errors
     /// [`Error::OutsideDomain`], [`Error::DegreeTooHigh`].

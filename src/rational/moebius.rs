@@ -6,7 +6,7 @@
 //! (x - a) / (b - x) = ρ (s - s_0) / (s_1 - s)
 //! ```
 //! With `λ(s) = ((s_1 - s) + ρ (s - s_0)) / (s_1 - s_0)`, the lifted spline times `λ(s)^p` is a spline in `s` again, and
-//! its coefficients are `c_i Π_j λ(s_{i+j})`, `j = 1 ... p`: its polar form takes each argument on its own [NURBS, 6.4].
+//! its coefficients are `c_i Π_j λ(s_{i+j})`, `j = 1 ... p`: its polar form takes each argument on its own [NURBS, section 6.4].
 
 use crate::coeff::Coeff;
 use crate::error::{Error, Result};

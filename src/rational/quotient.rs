@@ -7,8 +7,8 @@ use crate::weighted::Weighted;
 
 /// The partial derivatives `[k][l]` of `point / weight`, from those of both.
 ///
-/// By Leibniz `A^(k,l) = Σ C(k, i) C(l, j) w^(i,j) S^(k-i,l-j)`, solved for the term with `i = j = 0` [NURBS, 4.20]. A
-/// single column is the rule for curves [NURBS, 4.8].
+/// By Leibniz `A^(k,l) = Σ C(k, i) C(l, j) w^(i,j) S^(k-i,l-j)`, solved for the term with `i = j = 0` [NURBS, section 4.5]. A
+/// single column is the rule for curves [NURBS, section 4.3].
 pub(crate) fn quotients<T: Scalar, C: Coeff<T>>(lifted: &[Vec<Weighted<T, C>>]) -> Vec<Vec<C>> {
     let inverse = T::one() / &lifted[0][0].weight;
     let mut quotients: Vec<Vec<C>> = Vec::with_capacity(lifted.len());
