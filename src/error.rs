@@ -236,6 +236,38 @@ pub enum Error {
         /// The second parameter.
         v: String,
     },
+    /// The inner function of a composition takes a value outside the domain of the outer one.
+    #[error(
+        "the value {value} at parameter {parameter} is outside the domain [{start}, {end}] of the outer spline"
+    )]
+    LeavesDomain {
+        /// A parameter where it does.
+        parameter: String,
+        /// The value there.
+        value: String,
+        /// Start of the domain of the outer spline.
+        start: String,
+        /// End of that domain.
+        end: String,
+    },
+    /// A composition needs a knot at a parameter that is not in the field, or not known to be.
+    #[error(
+        "the value {knot}, a knot, is taken between parameters {start} and {end} where the field has no number for it"
+    )]
+    IrrationalPreimage {
+        /// The knot of the outer spline.
+        knot: String,
+        /// A parameter below the one needed.
+        start: String,
+        /// A parameter above it, no other preimage of the knot in between.
+        end: String,
+    },
+    /// A change of parameter does not increase.
+    #[error("the change of parameter does not increase at {parameter}")]
+    NotIncreasing {
+        /// A parameter where it does not.
+        parameter: String,
+    },
     /// All points coincide, so that nothing has a length.
     #[error("all points coincide, the polygon has no length")]
     NoLength,

@@ -21,6 +21,7 @@
 //! - spaces: [`SplineSpace`], with its methods for finer, united and product spaces and for basis functions;
 //! - operators: methods of [`Spline`], explained file by file in [`ops`];
 //! - splines from data: [`build`];
+//! - roots of polynomials: [`roots`];
 //! - curvature: [`analysis`];
 //! - fine tuning: [`fine_tune`];
 //! - pictures: the module `plot`, behind the feature of that name.
@@ -43,6 +44,7 @@ pub mod knots;
 mod polar;
 mod window;
 mod bernstein;
+pub mod roots;
 pub mod space;
 mod locate;
 mod parts;
@@ -73,6 +75,7 @@ pub use knots::KnotVector;
 pub use map::LinearMap;
 pub use rational::domain::{Domain, Interval, Rectangle};
 pub use rational::spline::{NurbsCurve, NurbsSurface, Rational, RationalFunction};
+pub use roots::Solvable;
 pub use row::Row;
 pub use scalar::{Real, Scalar};
 pub use space::SplineSpace;

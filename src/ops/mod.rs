@@ -13,3 +13,5 @@ pub mod inner;
 pub mod join;
 pub mod reverse;
 pub mod reparam;
+mod cuts;
+pub mod compose;

@@ -24,6 +24,8 @@ mod restrict;
 mod join;
 mod reverse;
 mod reparam;
+mod roots;
+mod composition;
 mod fit;
 mod least_squares;
 mod curvature;
