@@ -4,6 +4,7 @@ use crate::coeff::Coeff;
 use crate::error::Result;
 use crate::scalar::Scalar;
 use crate::spline::Spline;
+use crate::tensor::patches::patches;
 use crate::tensor::spline::TensorSpline;
 use std::fmt::Debug;
 
@@ -144,13 +145,7 @@ impl<T: Scalar> Domain<T> for Rectangle {
     }
 
     fn patches<C: Coeff<T>>(spline: &TensorSpline<T, C>) -> Result<Patches<C>> {
-        let (p, q) = (spline.u().degree(), spline.v().degree());
-        let pieces = spline.embedded(&spline.u().pieces(p)?, &spline.v().pieces(q)?)?;
-        let (width, strip) = (pieces.v().dim(), (p + 1) * pieces.v().dim());
-        let patch = |rows: &[C], first: usize| -> Vec<C> {
-            rows.chunks(width).flat_map(|row| &row[first..=first + q]).cloned().collect()
-        };
-        let in_strip = |rows: &[C]| (0..width).step_by(q + 1).map(|j| patch(rows, j)).collect::<Vec<_>>();
-        Ok(Patches { degrees: (p, q), patches: pieces.coeffs().chunks(strip).flat_map(in_strip).collect() })
+        let degrees = (spline.u().degree(), spline.v().degree());
+        Ok(Patches { degrees, patches: patches(spline)? })
     }
 }

@@ -7,6 +7,8 @@ pub mod spline;
 pub mod along;
 pub mod arithmetic;
 pub mod eval;
+pub(crate) mod patches;
+pub mod compose;
 pub mod product;
 pub mod integral;
 pub mod form;

@@ -26,6 +26,7 @@ mod reverse;
 mod reparam;
 mod roots;
 mod composition;
+mod on_surface;
 mod fit;
 mod least_squares;
 mod curvature;
