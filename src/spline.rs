@@ -198,7 +198,7 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     }
 
     /// Value and derivatives at `x` of the polynomial of span `k`.
-    fn derivatives_on(&self, k: usize, x: &T, order: usize) -> Vec<C> {
+    pub(crate) fn derivatives_on(&self, k: usize, x: &T, order: usize) -> Vec<C> {
         let window = (k - self.degree()..=k).map(|i| self.coeff(i).clone()).collect();
         derivatives(self.space.knots(), k, window, x, order)
     }

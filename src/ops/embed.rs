@@ -10,6 +10,7 @@
 use crate::coeff::Coeff;
 use crate::error::Result;
 use crate::map::LinearMap;
+use crate::ops::elevate::SpanWalk;
 use crate::scalar::{Scalar, larger};
 use crate::space::SplineSpace;
 use crate::spline::Spline;
@@ -69,60 +70,6 @@ impl<T: Scalar> SplineSpace<T> {
         }
         map
     }
-
-    /// The rows into `raised`, this space elevated by one: means of polar values that leave out one knot.
-    fn elevation_rows(&self, raised: &Self) -> LinearMap<T> {
-        let (p, tau) = (self.degree(), raised.knots());
-        let mut map = LinearMap::empty(self.dim(), raised.dim());
-        let (mut args, mut free) = (Vec::with_capacity(p), Vec::with_capacity(p));
-        let (mut row, mut part) = (vec![T::zero(); p + 1], Vec::with_capacity(p + 1));
-        let mut walk = SpanWalk::new(self);
-        for j in 0..raised.dim() {
-            let k = walk.span_right_of(larger(&tau[j], raised.domain().0));
-            let knots = &tau[j + 1..=j + p + 1];
-            let (mut low, mut high) = (p, 0);
-            args.clear();
-            args.extend(&knots[1..]);
-            let mut skip = 0;
-            for copies in knots.chunk_by(T::eq) {
-                part.clear();
-                let first = self.polar_into(k, &args, &mut free, &mut part) + p - k;
-                let count = T::int(copies.len() as i64);
-                part.iter().enumerate().for_each(|(l, w)| row[first + l] += count.clone() * w);
-                (low, high) = (low.min(first), high.max(first + part.len()));
-                // The next to leave out comes after these copies.
-                let passed = skip..(skip + copies.len()).min(p);
-                args[passed.clone()].iter_mut().zip(&knots[passed]).for_each(|(arg, t)| *arg = t);
-                skip += copies.len();
-            }
-            map.push(k - p + low, |weights| {
-                let mean = |sum: &mut T| std::mem::replace(sum, T::zero()) / T::int(p as i64 + 1);
-                weights.extend(row[low..high].iter_mut().map(mean));
-            });
-        }
-        map
-    }
-}
-
-/// Walks the spans of a space from left to right beside another ascending sequence.
-struct SpanWalk<'a, T> {
-    knots: &'a [T],
-    span: usize,
-    last: usize,
-}
-
-impl<'a, T: Scalar> SpanWalk<'a, T> {
-    fn new(space: &'a SplineSpace<T>) -> Self {
-        Self { knots: space.knots(), span: space.degree(), last: space.last_span() }
-    }
-
-    /// The span that holds what is right of `x`; `x` must not decrease from call to call.
-    fn span_right_of(&mut self, x: &T) -> usize {
-        while self.span < self.last && self.knots[self.span + 1] <= *x {
-            self.span += 1;
-        }
-        self.span
-    }
 }
 
 impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
@@ -141,9 +88,12 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     /// # Ok::<(), symspline::Error>(())
     /// ```
     pub fn embedded(&self, target: &SplineSpace<T>) -> Result<Self> {
-        let steps = self.space().embedding_steps(target)?;
-        let start = self.coeffs().to_vec();
-        let coeffs = steps.into_iter().try_fold(start, |coeffs, step| step.apply(&coeffs))?;
+        self.space().check_within(target)?;
+        let raised = self.elevated(target.degree() - self.degree())?;
+        if raised.space() == target {
+            return Ok(raised);
+        }
+        let coeffs = raised.space().insertion_rows(target).apply(raised.coeffs())?;
         Spline::new(target.clone(), coeffs)
     }
 
@@ -163,27 +113,6 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     /// ```
     pub fn inserted(&self, knots: &[T]) -> Result<Self> {
         self.embedded(&self.space().refined(knots)?)
-    }
-
-    /// The same function with its degree raised by `raise`; see [`SplineSpace::elevated`] for the knots.
-    ///
-    /// # Errors
-    /// [`DegreeTooHigh`](crate::Error::DegreeTooHigh), [`TooLarge`](crate::Error::TooLarge).
-    ///
-    /// # Examples
-    /// ```
-    /// use symspline::{Function, SplineSpace};
-    /// let line = Function::new(SplineSpace::bezier(1, 0.0, 1.0)?, vec![1.0, 4.0])?;
-    /// assert_eq!(line.elevated(1)?.coeffs(), [1.0, 2.5, 4.0]);
-    /// # Ok::<(), symspline::Error>(())
-    /// ```
-    pub fn elevated(&self, raise: usize) -> Result<Self> {
-        self.space().check_elevation(raise)?;
-        (0..raise).try_fold(self.clone(), |f, _| {
-            let space = f.space().elevated(1)?;
-            let coeffs = f.space().elevation_rows(&space).apply(f.coeffs())?;
-            Spline::new(space, coeffs)
-        })
     }
 
     /// The same function with clamped ends; a periodic one is opened at its seam.

@@ -2,6 +2,7 @@
 
 pub(crate) mod signs;
 pub mod convert;
+pub mod elevate;
 pub mod embed;
 pub mod restrict;
 pub mod arithmetic;
@@ -15,3 +16,9 @@ pub mod reverse;
 pub mod reparam;
 mod cuts;
 pub mod compose;
+pub mod enclose;
+pub mod range;
+pub mod hull;
+pub mod dual;
+pub mod power;
+pub mod quasi;

@@ -19,6 +19,13 @@ proptest! {
     }
 
     #[test]
+    fn the_kernel_of_elevation_gives_what_its_map_gives(c in curve::<2>(ANY), raise in 0_usize..4) {
+        let raised = c.elevated(raise)?;
+        let map = c.space().embedding(&c.space().elevated(raise)?)?;
+        prop_assert_eq!(map.apply(c.coeffs())?, raised.coeffs());
+    }
+
+    #[test]
     fn elevated_coefficients_are_convex_combinations(space in space(ANY), raise in 0_usize..4) {
         for (_, weights) in space.embedding(&space.elevated(raise)?)?.rows() {
             prop_assert_eq!(weights.iter().sum::<Q>(), Q::int(1));

@@ -27,6 +27,8 @@ mod reparam;
 mod roots;
 mod composition;
 mod on_surface;
+mod range;
+mod dual;
 mod fit;
 mod least_squares;
 mod curvature;

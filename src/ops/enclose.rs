@@ -1,0 +1,282 @@
+//! Extreme values of polynomial patches, by branch and bound.
+//!
+//! On a patch a value is a mean of the Bernstein coefficients, so the least of them is a bound from below; and the
+//! coefficients at the corners are values. Halving a patch (de Casteljau) leaves convex combinations and takes the bounds
+//! to a quarter of their distance from the function. So the least value is enclosed by halving, always the patch of the
+//! lowest bound, until the lowest value met is near enough. No root is looked for, and any ordered field will do.
+//!
+//! Patches have any number of directions: curves have one, surfaces two.
+
+use crate::error::{Error, Result};
+use crate::scalar::{Scalar, larger};
+use std::cmp::Ordering;
+use std::collections::BinaryHeap;
+
+/// How often a patch is halved at most: an accuracy not reached by then is infinitely small beside the values.
+const DEPTH: usize = 4096;
+
+/// How many halvings there are in all at most.
+const HALVINGS: usize = 1 << 18;
+
+/// An extreme value between a bound and a value met.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Extremum<T, X = T> {
+    /// The function nowhere goes beyond this.
+    pub bound: T,
+    /// The function goes that far: its value at `parameter`.
+    pub value: T,
+    /// Where `value` is met; at a jump it may be the limit there from the other side.
+    pub parameter: X,
+}
+
+/// Both extreme values of a function: it stays within the bounds and reaches the values.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Enclosure<T, X = T> {
+    /// `bound <= the least value <= value`.
+    pub least: Extremum<T, X>,
+    /// `value <= the greatest value <= bound`.
+    pub greatest: Extremum<T, X>,
+}
+
+impl<T, X> Enclosure<T, X> {
+    /// The same with other parameters.
+    pub(crate) fn map_parameters<Y>(self, parameter: impl Fn(X) -> Y) -> Enclosure<T, Y> {
+        let Self { least, greatest } = self;
+        let map = |e: Extremum<T, X>| Extremum {
+            bound: e.bound,
+            value: e.value,
+            parameter: parameter(e.parameter),
+        };
+        Enclosure { least: map(least), greatest: map(greatest) }
+    }
+}
+
+/// A polynomial on a box of `D` directions, by its Bernstein coefficients, the last direction running fastest.
+#[derive(Clone, Debug)]
+pub(crate) struct Patch<T, const D: usize> {
+    /// The degree in each direction.
+    pub degrees: [usize; D],
+    /// From where to where in each direction.
+    pub sides: [(T, T); D],
+    /// `Π (degree + 1)` coefficients.
+    pub coeffs: Vec<T>,
+}
+
+/// The extreme values of the function that consists of `patches`, of which there is at least one, to `accuracy`.
+///
+/// # Errors
+/// [`Error::BadTolerance`] unless `accuracy` is positive and finite, and not infinitely small; [`Error::TooLarge`] if the
+/// extreme values are met in too many places to be separated.
+pub(crate) fn enclose<T: Scalar, const D: usize>(
+    patches: Vec<Patch<T, D>>,
+    accuracy: &T,
+) -> Result<Enclosure<T, [T; D]>> {
+    if !accuracy.is_finite() || *accuracy <= T::zero() {
+        return Err(Error::BadTolerance { tolerance: accuracy.to_string() });
+    }
+    let negative = |patch: &Patch<T, D>| Patch {
+        coeffs: patch.coeffs.iter().map(|c| -c.clone()).collect(),
+        ..patch.clone()
+    };
+    let mirrored = least(patches.iter().map(negative).collect(), accuracy)?;
+    let greatest = Extremum { bound: -mirrored.bound, value: -mirrored.value, parameter: mirrored.parameter };
+    Ok(Enclosure { least: least(patches, accuracy)?, greatest })
+}
+
+/// The least value of the function that consists of `patches`.
+fn least<T: Scalar, const D: usize>(patches: Vec<Patch<T, D>>, accuracy: &T) -> Result<Extremum<T, [T; D]>> {
+    let accuracy = larger(accuracy.clone(), noise(&patches));
+    let lowest = |one: Meeting<T, D>, other: Meeting<T, D>| if other.value < one.value { other } else { one };
+    let mut best = patches.iter().map(Patch::lowest_corner).reduce(lowest).expect("there is a patch");
+    let mut open: BinaryHeap<Open<T, D>> = patches.into_iter().map(|patch| Open::new(patch, 0)).collect();
+    for halvings in 0.. {
+        let Open { bound, depth, patch } = open.pop().expect("halves are put back");
+        if best.value.clone() - &bound <= accuracy {
+            let Meeting { value, parameter } = best;
+            let bound = if bound < value { bound } else { value.clone() };
+            return Ok(Extremum { bound, value, parameter });
+        }
+        if depth == DEPTH {
+            return Err(Error::BadTolerance { tolerance: accuracy.to_string() });
+        }
+        if halvings == HALVINGS {
+            break;
+        }
+        for half in patch.halves(depth) {
+            best = lowest(best, half.lowest_corner());
+            open.push(Open::new(half, depth + 1));
+        }
+    }
+    Err(Error::TooLarge { count: HALVINGS + 1, limit: HALVINGS })
+}
+
+/// Differences below this are rounding.
+fn noise<T: Scalar, const D: usize>(patches: &[Patch<T, D>]) -> T {
+    if T::EXACT {
+        return T::zero();
+    }
+    let sizes = patches.iter().flat_map(|patch| &patch.coeffs).map(T::magnitude);
+    let steps = patches.iter().map(|patch| patch.degrees.iter().sum::<usize>() + 1).max().unwrap_or(1);
+    sizes.fold(T::zero(), larger) * T::frac(steps as i64, 1 << 50)
+}
+
+/// A value and where it is met.
+struct Meeting<T, const D: usize> {
+    value: T,
+    parameter: [T; D],
+}
+
+impl<T: Scalar, const D: usize> Patch<T, D> {
+    /// The least value at a corner.
+    fn lowest_corner(&self) -> Meeting<T, D> {
+        // Bit `d` of a corner's number says at which end of direction `d` it is.
+        let far = |corner: usize, d: usize| corner >> d & 1 == 1;
+        let index = |corner: usize| {
+            let end = |d: usize| if far(corner, d) { self.degrees[d] } else { 0 };
+            (0..D).fold(0, |index, d| index * (self.degrees[d] + 1) + end(d))
+        };
+        let lower = |one: usize, other: usize| {
+            if self.coeffs[index(other)] < self.coeffs[index(one)] { other } else { one }
+        };
+        let corner = (0..1 << D).fold(0, lower);
+        let place = |d: usize| {
+            let (a, b) = &self.sides[d];
+            if far(corner, d) { b.clone() } else { a.clone() }
+        };
+        Meeting { value: self.coeffs[index(corner)].clone(), parameter: std::array::from_fn(place) }
+    }
+
+    /// The two halves, cut across the directions in turn; `turn` counts.
+    fn halves(self, turn: usize) -> [Self; 2] {
+        let axes: Vec<usize> = (0..D).filter(|&d| self.degrees[d] > 0).collect();
+        let axis = axes[turn % axes.len()];
+        let p = self.degrees[axis];
+        let stride: usize = self.degrees[axis + 1..].iter().map(|q| q + 1).product();
+        let (mut left, mut right) = (self.clone(), self);
+        let half = T::frac(1, 2);
+        let middle = |a: &T, b: &T| a.clone() * &half + b.clone() * &half;
+        let starts = (0..left.coeffs.len()).filter(|i| (i / stride).is_multiple_of(p + 1));
+        for start in starts {
+            let c = |i: usize| start + i * stride;
+            for r in 1..=p {
+                for i in (r..=p).rev() {
+                    left.coeffs[c(i)] = middle(&left.coeffs[c(i - 1)], &left.coeffs[c(i)]);
+                }
+                right.coeffs[c(p - r)] = left.coeffs[c(p)].clone();
+            }
+        }
+        let (a, b) = &left.sides[axis];
+        let cut = middle(a, b);
+        left.sides[axis].1 = cut.clone();
+        right.sides[axis].0 = cut;
+        [left, right]
+    }
+}
+
+/// A patch that may hold the least value; the one of the lowest bound is the greatest of the heap.
+struct Open<T, const D: usize> {
+    bound: T,
+    depth: usize,
+    patch: Patch<T, D>,
+}
+
+impl<T: Scalar, const D: usize> Open<T, D> {
+    fn new(patch: Patch<T, D>, depth: usize) -> Self {
+        let lowest = patch.coeffs.iter().reduce(|low, c| if c < low { c } else { low });
+        let bound = lowest.expect("a patch has a coefficient").clone();
+        Self { bound, depth, patch }
+    }
+}
+
+impl<T: Scalar, const D: usize> Ord for Open<T, D> {
+    fn cmp(&self, other: &Self) -> Ordering {
+        other.bound.partial_cmp(&self.bound).expect("finite coefficients are ordered")
+    }
+}
+
+impl<T: Scalar, const D: usize> PartialOrd for Open<T, D> {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl<T: Scalar, const D: usize> PartialEq for Open<T, D> {
+    fn eq(&self, other: &Self) -> bool {
+        self.bound == other.bound
+    }
+}
+
+impl<T: Scalar, const D: usize> Eq for Open<T, D> {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::exact::Q;
+
+    /// `x² y - x y + x / 3` on `[0, 1] × [0, 2]`, and its least value.
+    fn saddle() -> Patch<Q, 2> {
+        // Along x the coefficients of x² are 0, 0, 1 and of x are 0, 1/2, 1; along y those of y are 0, 2, of 1 are 1, 1.
+        let (square, x) = ([0, 0, 1].map(Q::int), [Q::int(0), Q::frac(1, 2), Q::int(1)]);
+        let entry = |i: usize, y: i64| (square[i].clone() - &x[i]) * Q::int(y) + x[i].clone() * Q::frac(1, 3);
+        let coeffs = (0..3).flat_map(|i| [entry(i, 0), entry(i, 2)]).collect();
+        Patch { degrees: [2, 1], sides: [1, 2].map(|end| (Q::int(0), Q::int(end))), coeffs }
+    }
+
+    impl Patch<Q, 2> {
+        fn at(&self, x: &Q, y: &Q) -> Q {
+            (x.clone() * x - x) * y + x.clone() / Q::int(3)
+        }
+    }
+
+    #[test]
+    fn a_surface_patch_is_enclosed() {
+        let patch = saddle();
+        let accuracy = Q::frac(1, 1000);
+        let Enclosure { least, greatest } = enclose(vec![patch.clone()], &accuracy).unwrap();
+        // At y = 2 it is 2 x² - 5/3 x, least at 5/12; the greatest value 1/3 is at the corners x = 1.
+        let exact = Q::frac(-25, 72);
+        assert!(least.bound <= exact && exact <= least.value);
+        assert!(least.value.clone() - &least.bound <= accuracy);
+        let [x, y] = &least.parameter;
+        assert_eq!(patch.at(x, y), least.value);
+        assert_eq!((greatest.bound, greatest.value), (Q::frac(1, 3), Q::frac(1, 3)));
+    }
+
+    #[test]
+    fn the_lower_of_two_patches_counts() {
+        let low = |by: i64| {
+            let mut patch = saddle();
+            patch.coeffs.iter_mut().for_each(|c| *c += Q::int(by));
+            patch.sides.iter_mut().for_each(|s| *s = (s.0.clone() + Q::int(by), s.1.clone() + Q::int(by)));
+            patch
+        };
+        let range = enclose(vec![low(0), low(-7), low(5)], &Q::frac(1, 10)).unwrap();
+        assert!(range.least.bound <= Q::int(-7) - Q::frac(25, 72));
+        assert!(range.least.parameter.iter().all(|x| *x <= Q::int(-5)));
+        assert_eq!(range.greatest.value, Q::int(5) + Q::frac(1, 3));
+    }
+
+    #[test]
+    fn constants_in_some_directions_are_decided() {
+        let flat = |degrees: [usize; 2], coeffs: Vec<f64>| Patch { degrees, sides: [(0.0, 1.0); 2], coeffs };
+        let range = enclose(vec![flat([0, 0], vec![4.0])], &1e-9).unwrap();
+        assert_eq!((range.least.bound, range.greatest.bound), (4.0, 4.0));
+        let range = enclose(vec![flat([0, 2], vec![1.0, 0.0, 1.0])], &1e-9).unwrap();
+        assert_eq!((range.least.value, range.least.parameter), (0.5, [0.0, 0.5]));
+        let range = enclose(vec![flat([2, 0], vec![1.0, 0.0, 1.0])], &1e-9).unwrap();
+        assert_eq!((range.least.value, range.least.parameter), (0.5, [0.5, 0.0]));
+    }
+
+    #[test]
+    fn valleys_along_a_diagonal_end_somewhere() {
+        // (x - y)² is least all along x = y.
+        let coeffs = vec![0.0, 0.0, 1.0, 0.0, -0.5, 0.0, 1.0, 0.0, 0.0];
+        let valley = Patch { degrees: [2, 2], sides: [(0.0, 1.0); 2], coeffs };
+        let range = enclose(vec![valley.clone()], &1e-6).unwrap();
+        assert_eq!(range.least.value, 0.0);
+        assert!(range.least.bound >= -1e-6);
+        // Below the rounding no patch is halved any more.
+        let fine = enclose(vec![valley], &1e-300);
+        assert!(fine.is_ok() || matches!(fine, Err(Error::TooLarge { .. })));
+    }
+}
