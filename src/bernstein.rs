@@ -59,19 +59,3 @@ impl<T: Scalar> Shares<T> {
         products
     }
 }
-
-/// The Bernstein coefficients on the left and on the right half, by de Casteljau's algorithm.
-pub(crate) fn halves<T: Scalar, C: Coeff<T>>(coeffs: &[C]) -> [Vec<C>; 2] {
-    let half = T::frac(1, 2);
-    let mut right = coeffs.to_vec();
-    let mut left = Vec::with_capacity(coeffs.len());
-    for last in (0..coeffs.len()).rev() {
-        left.push(right[0].clone());
-        for i in 0..last {
-            let next = right[i + 1].clone();
-            right[i].add_scaled(&T::one(), &next);
-            right[i].scale(&half);
-        }
-    }
-    [left, right]
-}

@@ -8,6 +8,7 @@
 //! Patches have any number of directions: curves have one, surfaces two.
 
 use crate::error::{Error, Result};
+use crate::ops::patch::{Meeting, Patch};
 use crate::scalar::{Scalar, larger};
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
@@ -49,17 +50,6 @@ impl<T, X> Enclosure<T, X> {
         };
         Enclosure { least: map(least), greatest: map(greatest) }
     }
-}
-
-/// A polynomial on a box of `D` directions, by its Bernstein coefficients, the last direction running fastest.
-#[derive(Clone, Debug)]
-pub(crate) struct Patch<T, const D: usize> {
-    /// The degree in each direction.
-    pub degrees: [usize; D],
-    /// From where to where in each direction.
-    pub sides: [(T, T); D],
-    /// `Π (degree + 1)` coefficients.
-    pub coeffs: Vec<T>,
 }
 
 /// The extreme values of the function that consists of `patches`, of which there is at least one, to `accuracy`.
@@ -118,59 +108,6 @@ fn noise<T: Scalar, const D: usize>(patches: &[Patch<T, D>]) -> T {
     let sizes = patches.iter().flat_map(|patch| &patch.coeffs).map(T::magnitude);
     let steps = patches.iter().map(|patch| patch.degrees.iter().sum::<usize>() + 1).max().unwrap_or(1);
     sizes.fold(T::zero(), larger) * T::frac(steps as i64, 1 << 50)
-}
-
-/// A value and where it is met.
-struct Meeting<T, const D: usize> {
-    value: T,
-    parameter: [T; D],
-}
-
-impl<T: Scalar, const D: usize> Patch<T, D> {
-    /// The least value at a corner.
-    fn lowest_corner(&self) -> Meeting<T, D> {
-        // Bit `d` of a corner's number says at which end of direction `d` it is.
-        let far = |corner: usize, d: usize| corner >> d & 1 == 1;
-        let index = |corner: usize| {
-            let end = |d: usize| if far(corner, d) { self.degrees[d] } else { 0 };
-            (0..D).fold(0, |index, d| index * (self.degrees[d] + 1) + end(d))
-        };
-        let lower = |one: usize, other: usize| {
-            if self.coeffs[index(other)] < self.coeffs[index(one)] { other } else { one }
-        };
-        let corner = (0..1 << D).fold(0, lower);
-        let place = |d: usize| {
-            let (a, b) = &self.sides[d];
-            if far(corner, d) { b.clone() } else { a.clone() }
-        };
-        Meeting { value: self.coeffs[index(corner)].clone(), parameter: std::array::from_fn(place) }
-    }
-
-    /// The two halves, cut across the directions in turn; `turn` counts.
-    fn halves(self, turn: usize) -> [Self; 2] {
-        let axes: Vec<usize> = (0..D).filter(|&d| self.degrees[d] > 0).collect();
-        let axis = axes[turn % axes.len()];
-        let p = self.degrees[axis];
-        let stride: usize = self.degrees[axis + 1..].iter().map(|q| q + 1).product();
-        let (mut left, mut right) = (self.clone(), self);
-        let half = T::frac(1, 2);
-        let middle = |a: &T, b: &T| a.clone() * &half + b.clone() * &half;
-        let starts = (0..left.coeffs.len()).filter(|i| (i / stride).is_multiple_of(p + 1));
-        for start in starts {
-            let c = |i: usize| start + i * stride;
-            for r in 1..=p {
-                for i in (r..=p).rev() {
-                    left.coeffs[c(i)] = middle(&left.coeffs[c(i - 1)], &left.coeffs[c(i)]);
-                }
-                right.coeffs[c(p - r)] = left.coeffs[c(p)].clone();
-            }
-        }
-        let (a, b) = &left.sides[axis];
-        let cut = middle(a, b);
-        left.sides[axis].1 = cut.clone();
-        right.sides[axis].0 = cut;
-        [left, right]
-    }
 }
 
 /// A patch that may hold the least value; the one of the lowest bound is the greatest of the heap.

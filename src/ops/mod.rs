@@ -16,6 +16,8 @@ pub mod reverse;
 pub mod reparam;
 mod cuts;
 pub mod compose;
+pub(crate) mod patch;
+pub mod sign;
 pub mod enclose;
 pub mod range;
 pub mod hull;

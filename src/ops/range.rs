@@ -4,7 +4,7 @@
 //! likes, see [`enclose`](crate::ops::enclose).
 
 use crate::error::Result;
-use crate::ops::enclose::{Enclosure, Patch, enclose};
+use crate::ops::enclose::{Enclosure, enclose};
 use crate::scalar::Scalar;
 use crate::spline::{Curve, Function};
 use nalgebra::SVector;
@@ -47,16 +47,7 @@ impl<T: Scalar> Function<T> {
     /// # Ok::<(), symspline::Error>(())
     /// ```
     pub fn range(&self, accuracy: &T) -> Result<Enclosure<T>> {
-        let p = self.degree();
-        let pieces = self.embedded(&self.space().pieces(p)?)?;
-        let breaks = self.space().breaks();
-        let patch = |(ends, coeffs): (&[(T, usize)], &[T])| Patch {
-            degrees: [p],
-            sides: [(ends[0].0.clone(), ends[1].0.clone())],
-            coeffs: coeffs.to_vec(),
-        };
-        let patches = breaks.windows(2).zip(pieces.coeffs().chunks(p + 1)).map(patch);
-        Ok(enclose(patches.collect(), accuracy)?.map_parameters(|[x]| x))
+        Ok(enclose(self.patches()?, accuracy)?.map_parameters(|[x]| x))
     }
 }
 
@@ -73,8 +64,7 @@ impl<T: Scalar, const N: usize> Curve<T, N> {
     /// # Ok::<(), symspline::Error>(())
     /// ```
     pub fn control_box(&self) -> (SVector<T, N>, SVector<T, N>) {
-        let side = |axis: usize| ends(self.coeffs().iter().map(|point| &point[axis]));
-        (SVector::from_fn(|axis, _| side(axis).0), SVector::from_fn(|axis, _| side(axis).1))
+        box_of(self.coeffs())
     }
 
     /// The range of every coordinate, enclosed as by [`Function::range`]: the bounds are those of a box around the
@@ -94,14 +84,26 @@ impl<T: Scalar, const N: usize> Curve<T, N> {
     /// # Ok::<(), symspline::Error>(())
     /// ```
     pub fn bounding_box(&self, accuracy: &T) -> Result<[Enclosure<T>; N]> {
-        let side = |axis: usize| self.coordinate(axis)?.range(accuracy);
-        let sides = (0..N).map(side).collect::<Result<Vec<_>>>()?;
-        Ok(<[Enclosure<T>; N]>::try_from(sides).expect("one range an axis"))
+        each_axis(|axis| self.coordinate(axis)?.range(accuracy))
     }
 }
 
+/// The lowest and the highest corner of the box of some points.
+pub(crate) fn box_of<T: Scalar, const N: usize>(points: &[SVector<T, N>]) -> (SVector<T, N>, SVector<T, N>) {
+    let side = |axis: usize| ends(points.iter().map(|point| &point[axis]));
+    (SVector::from_fn(|axis, _| side(axis).0), SVector::from_fn(|axis, _| side(axis).1))
+}
+
+/// What `side` says of each axis.
+pub(crate) fn each_axis<X: std::fmt::Debug, const N: usize>(
+    side: impl FnMut(usize) -> Result<X>,
+) -> Result<[X; N]> {
+    let sides: Vec<X> = (0..N).map(side).collect::<Result<_>>()?;
+    Ok(<[X; N]>::try_from(sides).expect("there is one for each axis"))
+}
+
 /// The least and the greatest of the components of a spline's coefficients.
-fn ends<'a, T: Scalar>(numbers: impl Iterator<Item = &'a T> + Clone) -> (T, T) {
+pub(crate) fn ends<'a, T: Scalar>(numbers: impl Iterator<Item = &'a T> + Clone) -> (T, T) {
     let low = numbers.clone().reduce(|low, x| if x < low { x } else { low });
     let high = numbers.reduce(|high, x| if x > high { x } else { high });
     let end = |x: Option<&T>| x.expect("a spline has a coefficient").clone();

@@ -2,9 +2,9 @@
 
 use crate::coeff::Coeff;
 use crate::error::Result;
+use crate::ops::sign::{Sign, sign_of};
 use crate::scalar::Scalar;
 use crate::spline::Spline;
-use crate::tensor::patches::patches;
 use crate::tensor::spline::TensorSpline;
 use std::fmt::Debug;
 
@@ -52,20 +52,11 @@ pub trait Domain<T: Scalar>: Clone + Debug + PartialEq + sealed::Sealed {
         pair: impl Fn(&A, &B) -> C,
     ) -> Result<Self::Spline<C>>;
 
-    /// The Bernstein coefficients of the pieces, a flat grid each, with the degrees in `u` and in `v`.
+    /// The sign of all values of a scalar spline.
     ///
     /// # Errors
-    /// As [`Spline::embedded`].
-    fn patches<C: Coeff<T>>(spline: &Self::Spline<C>) -> Result<Patches<C>>;
-}
-
-/// The pieces of a spline, with their degrees in `u` and in `v`.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Patches<C> {
-    /// The degrees; of splines of one parameter the second is zero.
-    pub degrees: (usize, usize),
-    /// The Bernstein coefficients of each piece, row by row.
-    pub patches: Vec<Vec<C>>,
+    /// [`Pole`](crate::Error::Pole) if there is a zero, [`Undecided`](crate::Error::Undecided) if bisection does not tell.
+    fn sign(spline: &Self::Spline<T>) -> Result<Sign>;
 }
 
 /// The domains of curves and functions: their splines are [`Spline`].
@@ -106,11 +97,8 @@ impl<T: Scalar> Domain<T> for Interval {
         left.paired_by(right, pair)
     }
 
-    fn patches<C: Coeff<T>>(spline: &Spline<T, C>) -> Result<Patches<C>> {
-        let p = spline.degree();
-        let pieces = spline.embedded(&spline.space().pieces(p)?)?;
-        let patches = pieces.coeffs().chunks(p + 1).map(<[C]>::to_vec).collect();
-        Ok(Patches { degrees: (p, 0), patches })
+    fn sign(spline: &Spline<T>) -> Result<Sign> {
+        sign_of(spline.patches()?)
     }
 }
 
@@ -144,8 +132,7 @@ impl<T: Scalar> Domain<T> for Rectangle {
         left.paired_by(right, pair)
     }
 
-    fn patches<C: Coeff<T>>(spline: &TensorSpline<T, C>) -> Result<Patches<C>> {
-        let degrees = (spline.u().degree(), spline.v().degree());
-        Ok(Patches { degrees, patches: patches(spline)? })
+    fn sign(spline: &TensorSpline<T>) -> Result<Sign> {
+        sign_of(spline.boxes()?)
     }
 }

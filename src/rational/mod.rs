@@ -4,7 +4,6 @@
 //! products of the lifted splines under pairings of weighted points give the arithmetic ([`arithmetic`]).
 
 pub mod domain;
-mod positive;
 pub mod spline;
 pub mod curve;
 pub mod surface;

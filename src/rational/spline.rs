@@ -2,8 +2,8 @@
 
 use crate::coeff::Coeff;
 use crate::error::{Error, Result};
+use crate::ops::sign::Sign;
 use crate::rational::domain::{Domain, Interval, Rectangle};
-use crate::rational::positive::{Sign, sign_of};
 use crate::scalar::Scalar;
 use crate::weighted::Weighted;
 use nalgebra::SVector;
@@ -57,7 +57,11 @@ impl<D: Domain<T>, T: Scalar, C: Coeff<T>> Rational<D, T, C> {
     /// # Ok::<(), Error>(())
     /// ```
     pub fn from_lifted(lifted: D::Spline<Weighted<T, C>>) -> Result<Self> {
-        match sign_of::<D, T>(&denominator::<D, T, C>(&lifted)?)? {
+        let positive = D::coeffs(&lifted).iter().all(|c| c.weight > T::zero());
+        if positive {
+            return Ok(Self { lifted });
+        }
+        match D::sign(&denominator::<D, T, C>(&lifted)?)? {
             Sign::Positive => Ok(Self { lifted }),
             Sign::Negative => Ok(Self { lifted: D::map_coeffs(&lifted, |c| c.scaled(&-T::one()))? }),
         }

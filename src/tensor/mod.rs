@@ -9,6 +9,7 @@ pub mod arithmetic;
 pub mod eval;
 pub(crate) mod patches;
 pub mod compose;
+pub mod range;
 pub mod product;
 pub mod integral;
 pub mod form;

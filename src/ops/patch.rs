@@ -1,0 +1,92 @@
+//! Polynomials on boxes of any number of directions, by their Bernstein coefficients: curves have one, surfaces two.
+
+use crate::error::Result;
+use crate::scalar::Scalar;
+use crate::spline::Function;
+
+/// A polynomial on a box of `D` directions, by its Bernstein coefficients, the last direction running fastest.
+#[derive(Clone, Debug)]
+pub(crate) struct Patch<T, const D: usize> {
+    /// The degree in each direction.
+    pub degrees: [usize; D],
+    /// From where to where in each direction.
+    pub sides: [(T, T); D],
+    /// `Π (degree + 1)` coefficients.
+    pub coeffs: Vec<T>,
+}
+
+/// A value and where it is met.
+pub(crate) struct Meeting<T, const D: usize> {
+    pub value: T,
+    pub parameter: [T; D],
+}
+
+impl<T: Scalar, const D: usize> Patch<T, D> {
+    /// The least value at a corner.
+    pub(crate) fn lowest_corner(&self) -> Meeting<T, D> {
+        let lower =
+            |one: usize, other: usize| if self.corner(other) < self.corner(one) { other } else { one };
+        let corner = (0..1 << D).fold(0, lower);
+        let place = |d: usize| {
+            let (a, b) = &self.sides[d];
+            if is_far(corner, d) { b.clone() } else { a.clone() }
+        };
+        Meeting { value: self.corner(corner).clone(), parameter: std::array::from_fn(place) }
+    }
+
+    /// The values at the corners.
+    pub(crate) fn corners(&self) -> impl Iterator<Item = &T> {
+        (0..1 << D).map(|corner| self.corner(corner))
+    }
+
+    fn corner(&self, corner: usize) -> &T {
+        let end = |d: usize| if is_far(corner, d) { self.degrees[d] } else { 0 };
+        &self.coeffs[(0..D).fold(0, |index, d| index * (self.degrees[d] + 1) + end(d))]
+    }
+
+    /// The two halves, cut across the directions in turn; `turn` counts.
+    pub(crate) fn halves(self, turn: usize) -> [Self; 2] {
+        let axes: Vec<usize> = (0..D).filter(|&d| self.degrees[d] > 0).collect();
+        let axis = axes[turn % axes.len()];
+        let p = self.degrees[axis];
+        let stride: usize = self.degrees[axis + 1..].iter().map(|q| q + 1).product();
+        let (mut left, mut right) = (self.clone(), self);
+        let half = T::frac(1, 2);
+        let middle = |a: &T, b: &T| a.clone() * &half + b.clone() * &half;
+        let starts = (0..left.coeffs.len()).filter(|i| (i / stride).is_multiple_of(p + 1));
+        for start in starts {
+            let c = |i: usize| start + i * stride;
+            for r in 1..=p {
+                for i in (r..=p).rev() {
+                    left.coeffs[c(i)] = middle(&left.coeffs[c(i - 1)], &left.coeffs[c(i)]);
+                }
+                right.coeffs[c(p - r)] = left.coeffs[c(p)].clone();
+            }
+        }
+        let (a, b) = &left.sides[axis];
+        let cut = middle(a, b);
+        left.sides[axis].1 = cut.clone();
+        right.sides[axis].0 = cut;
+        [left, right]
+    }
+}
+
+/// Bit `d` of the number of a corner says at which end of direction `d` it is.
+fn is_far(corner: usize, d: usize) -> bool {
+    corner >> d & 1 == 1
+}
+
+impl<T: Scalar> Function<T> {
+    /// The pieces.
+    pub(crate) fn patches(&self) -> Result<Vec<Patch<T, 1>>> {
+        let p = self.degree();
+        let pieces = self.embedded(&self.space().pieces(p)?)?;
+        let breaks = self.space().breaks();
+        let patch = |(ends, coeffs): (&[(T, usize)], &[T])| Patch {
+            degrees: [p],
+            sides: [(ends[0].0.clone(), ends[1].0.clone())],
+            coeffs: coeffs.to_vec(),
+        };
+        Ok(breaks.windows(2).zip(pieces.coeffs().chunks(p + 1)).map(patch).collect())
+    }
+}

@@ -1,0 +1,75 @@
+//! Between which values a scalar surface runs, and in which box a surface lies.
+
+use crate::error::Result;
+use crate::ops::enclose::{Enclosure, enclose};
+use crate::ops::patch::Patch;
+use crate::ops::range::{box_of, each_axis, ends};
+use crate::scalar::Scalar;
+use crate::tensor::patches::patches;
+use crate::tensor::spline::{Surface, TensorSpline};
+use nalgebra::SVector;
+
+impl<T: Scalar> TensorSpline<T> {
+    /// The least and the greatest coefficient, between which all values lie.
+    pub fn coefficient_range(&self) -> (T, T) {
+        ends(self.coeffs().iter())
+    }
+
+    /// The least and the greatest value, each enclosed as by [`Function::range`](crate::Function::range).
+    ///
+    /// # Errors
+    /// As [`Function::range`](crate::Function::range); [`TooLarge`](crate::Error::TooLarge) if the extreme value is met along
+    /// a whole curve, so that too many patches would have to be halved.
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::{SplineSpace, TensorSpline};
+    /// let parabola = SplineSpace::bezier(2, 0.0, 1.0)?;
+    /// let coeffs = vec![0.0, 0.0, 0.0, 0.0, 4.0, 0.0, 0.0, 0.0, 0.0];
+    /// // A hill of height 1 in the middle.
+    /// let range = TensorSpline::new(parabola.clone(), parabola, coeffs)?.range(&1e-9)?;
+    /// assert_eq!((range.least.bound, range.greatest.value), (0.0, 1.0));
+    /// assert_eq!(range.greatest.parameter, (0.5, 0.5));
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    pub fn range(&self, accuracy: &T) -> Result<Enclosure<T, (T, T)>> {
+        Ok(enclose(self.boxes()?, accuracy)?.map_parameters(|[u, v]| (u, v)))
+    }
+
+    /// The patches with their rectangles.
+    pub(crate) fn boxes(&self) -> Result<Vec<Patch<T, 2>>> {
+        let degrees = [self.u().degree(), self.v().degree()];
+        let (us, vs) = (self.u().breaks(), self.v().breaks());
+        let side = |ends: &[(T, usize)]| (ends[0].0.clone(), ends[1].0.clone());
+        let sides = us.windows(2).flat_map(|u| vs.windows(2).map(move |v| [side(u), side(v)]));
+        let patch = |(coeffs, sides)| Patch { degrees, sides, coeffs };
+        Ok(patches(self)?.into_iter().zip(sides).map(patch).collect())
+    }
+}
+
+impl<T: Scalar, const N: usize> Surface<T, N> {
+    /// The lowest and the highest corner of the box of the control points, in which the surface lies.
+    pub fn control_box(&self) -> (SVector<T, N>, SVector<T, N>) {
+        box_of(self.coeffs())
+    }
+
+    /// The range of every coordinate, enclosed as by [`range`](TensorSpline::range): a box around the surface that is too
+    /// large by `accuracy` at most on every side.
+    ///
+    /// # Errors
+    /// As [`range`](TensorSpline::range).
+    ///
+    /// # Examples
+    /// ```
+    /// use nalgebra::vector;
+    /// use symspline::{SplineSpace, Surface};
+    /// let line = SplineSpace::bezier(1, 0.0, 1.0)?;
+    /// let corners = vec![vector![0.0, 0.0], vector![0.0, 2.0], vector![1.0, 0.0], vector![1.0, 2.0]];
+    /// let [x, y] = Surface::new(line.clone(), line, corners)?.bounding_box(&1e-9)?;
+    /// assert_eq!((x.greatest.bound, y.greatest.bound), (1.0, 2.0));
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    pub fn bounding_box(&self, accuracy: &T) -> Result<[Enclosure<T, (T, T)>; N]> {
+        each_axis(|axis| self.coordinate(axis)?.range(accuracy))
+    }
+}
