@@ -185,6 +185,26 @@ pub enum Error {
         /// The tolerance given.
         tolerance: String,
     },
+    /// No approximation within the tolerance was found.
+    #[error("the error is bounded by {bound} only, which is above the tolerance {tolerance}")]
+    OutOfTolerance {
+        /// The certified bound that was reached.
+        bound: String,
+        /// The tolerance given.
+        tolerance: String,
+    },
+    /// A spline is not one of the lower degree asked for.
+    #[error("the spline is not one of degree {degree}")]
+    NotReducible {
+        /// The degree asked for.
+        degree: usize,
+    },
+    /// A value is not a knot inside the domain that could be removed.
+    #[error("{knot} is no knot that can be removed")]
+    NotRemovable {
+        /// The value.
+        knot: String,
+    },
     /// Not enough points.
     #[error("{expected} points are needed, {found} are given")]
     TooFewPoints {

@@ -11,6 +11,9 @@ pub const MAX_DIM: usize = 1 << 26;
 /// The largest number of entries of a dense matrix or map.
 pub const MAX_ENTRIES: usize = 1 << 28;
 
+/// The largest number of coefficients that an approximation to a tolerance may grow to.
+pub const MAX_ADAPTED: usize = 1 << 16;
+
 /// Refuses degrees beyond [`MAX_DEGREE`].
 pub(crate) fn check_degree(degree: usize) -> Result<()> {
     match degree {

@@ -53,6 +53,11 @@ impl Case {
         Self(self.0.get(key).unwrap_or_else(|| panic!("no entry {key} in {}", self.0)))
     }
 
+    /// A word.
+    pub fn text(self) -> &'static str {
+        self.0.as_str().unwrap_or_else(|| panic!("{} is no text", self.0))
+    }
+
     /// Whether the entry `key` is null: what is asked for must be refused.
     pub fn refused(self, key: &str) -> bool {
         self.get(key).0.is_null()

@@ -9,17 +9,21 @@ mod data;
 mod check;
 mod values;
 mod operators;
+mod removal;
 mod tuning;
 mod closed;
 mod curvature;
 
 /// The categories tested here, with their numbers of cases.
-const TESTED: [(&str, usize); 15] = [
+const TESTED: [(&str, usize); 18] = [
     ("basis", 22),
     ("curve_ders", 3),
     ("hodograph", 3),
     ("knot_insertion", 8),
     ("degree_elevation", 6),
+    ("degree_reduction", 7),
+    ("knot_removal", 3),
+    ("knot_removal_forced", 5),
     ("product", 7),
     ("antiderivative", 5),
     ("definite_integral", 10),
@@ -45,5 +49,5 @@ fn every_case_is_counted() {
     assert_eq!(ids.len(), tested.iter().map(|(_, count)| count).sum::<usize>());
     ids.sort_unstable();
     ids.dedup();
-    assert_eq!(ids.len(), 107, "distinct cases");
+    assert_eq!(ids.len(), 122, "distinct cases");
 }

@@ -6,7 +6,8 @@ use proptest::prelude::*;
 use proptest::sample::select;
 use symspline::limits::MAX_DEGREE;
 use symspline::{
-    BilinearMap, BilinearRow, Error, Function, Functional, KnotVector, LinearMap, Q, Scalar, SplineSpace,
+    BilinearMap, BilinearRow, Contact, Continuity, Error, Function, Functional, Keep, KnotVector, LinearMap,
+    Q, Scalar, SplineSpace,
 };
 
 /// Numbers that break things: not finite, tiny, huge, equal, next to each other.
@@ -49,6 +50,17 @@ fn exercise(space: SplineSpace<f64>) {
         f.space().gram(f.space(), 0, 1),
         f.space().recomposition(),
     );
+    let _ = (f.degree_lowered(1), f.simplified(), f.distance_bound_halved(&f, 2));
+    for tolerance in [0.0, 0.1, 1e300, f64::NAN] {
+        let _ = (
+            f.without_spare_knots(&tolerance),
+            f.removed(&middle, 2, &tolerance),
+            f.simplified_within(&tolerance),
+        );
+        let _ = f.degree_reduced_within(1, &tolerance, Contact::FREE);
+    }
+    let _ = f.degree_reduced(1, Continuity::Breaks, Contact::both(2));
+    (0..f.space().knots().len()).for_each(|r| drop(f.without_knot(r, Keep::Right)));
     let greville = f.space().greville();
     let _ = Function::interpolating(f.space(), &greville, f.coeffs());
     let _ = Function::least_squares(f.space(), &greville, f.coeffs(), symspline::Ends::Free);

@@ -53,7 +53,8 @@ fn space() -> impl Strategy<Value = SplineSpace<f64>> {
     )
 }
 
-fn function() -> impl Strategy<Value = Function<f64>> {
+/// Functions with coefficients up to 1 on such spaces.
+pub fn function() -> impl Strategy<Value = Function<f64>> {
     (space(), vec(-1.0_f64..1.0, 48)).prop_map(|(space, coeffs)| {
         let coeffs = coeffs[..space.dim()].to_vec();
         Function::new(space, coeffs).expect("as many coefficients as the space has")

@@ -1,0 +1,353 @@
+//! Removing knots one after the other, from left to right, each in a time that depends on the degree only.
+//!
+//! The last copy `t_r` of a knot `u` with `s` copies blends the coefficients `c_i`, `r - p <= i <= r - s`, with
+//! `α_i = (u - t_i) / (t_{i+p+1} - t_i)`, and leaves `c_{r-p-1}` and `c_{r-s+1}` alone; going back is
+//! [unblending](crate::ops::unblend) ([NURBS, (5.28)] writes down the same equations). What one equation lacks bounds the
+//! change, on the support of one basis function; over inexact fields what the others lack by rounding is added. Every span
+//! carries the sum of the bounds of the changes that reached it, so that the largest of them bounds the distance from the
+//! spline at the start.
+//!
+//! Knots, coefficients and bounds stand in lists with one gap. What is in front of the gap has been looked at, and
+//! what is removed widens it. A ring is numbered from the first copy of its seam, and indices wrap.
+
+use crate::coeff::Coeff;
+use crate::error::Result;
+use crate::knots::KnotVector;
+use crate::ops::bound::{epsilon, largest, size};
+use crate::ops::unblend::{Parts, lack, unblend, unblend_best};
+use crate::scalar::{Scalar, larger};
+use crate::space::SplineSpace;
+use crate::spline::Spline;
+
+/// Which changes are fine.
+#[derive(Clone, Debug)]
+pub(crate) enum Limit<T> {
+    /// None at all, as far as the arithmetic of the field can tell.
+    Exact,
+    /// Those that keep the sum of bounds at or below a tolerance.
+    Within(T),
+    /// All.
+    Forced,
+}
+
+/// Which side of a knot keeps its coefficients where both cannot.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Keep {
+    /// The left one.
+    Left,
+    /// The right one.
+    Right,
+}
+
+/// A spline that loses knots from left to right.
+pub(crate) struct Removal<T, C> {
+    degree: usize,
+    /// End of the domain and period of a ring.
+    ring: Option<(T, T)>,
+    knots: Vec<T>,
+    coeffs: Vec<C>,
+    /// What is known of the change on the span after each knot.
+    bounds: Vec<T>,
+    /// Whether a knot, by its last copy, was tried before.
+    tried: Vec<bool>,
+    /// The number of entries in front of the gap.
+    head: usize,
+    gap: usize,
+    /// One removal on trial.
+    trial: Trial<T, C>,
+}
+
+/// The equations of one knot, from the coefficient before the first that it blends to the one after the last.
+struct Trial<T, C> {
+    blends: Vec<Parts<T>>,
+    /// The coefficients as they are, and solved.
+    before: Vec<C>,
+    after: Vec<C>,
+}
+
+/// What a removal does: the equation left out, counted from the first index, and the change.
+struct Change<T> {
+    first: isize,
+    dropped: usize,
+    /// The bound of what the dropped equation lacks, on the support of its basis function.
+    main: T,
+    /// The bound of what the others lack by rounding.
+    rest: T,
+    /// Whether nothing changes.
+    none: bool,
+}
+
+impl<T: Scalar, C: Coeff<T>> Removal<T, C> {
+    pub(crate) fn new(f: &Spline<T, C>) -> Self {
+        let (space, p) = (f.space(), f.degree());
+        let (mut knots, mut coeffs, mut ring) = (space.knots().to_vec(), f.coeffs().to_vec(), None);
+        if space.is_periodic() {
+            knots = space.round_knots().to_vec();
+            coeffs.rotate_left((p + 1 - copies(&knots)) % knots.len());
+            ring = Some((space.domain().1.clone(), space.length()));
+        }
+        let (bounds, tried) = (vec![T::zero(); knots.len()], vec![false; knots.len()]);
+        let trial = Trial { blends: Vec::new(), before: Vec::new(), after: Vec::new() };
+        let head = if ring.is_some() { 0 } else { p + 1 };
+        Self { degree: p, ring, knots, coeffs, bounds, tried, head, gap: 0, trial }
+    }
+
+    /// The number of knots, of a ring in one period.
+    fn count(&self) -> usize {
+        self.knots.len() - self.gap
+    }
+
+    /// Whether the windows of the equations of a ring would overlap themselves.
+    pub(crate) fn is_tight(&self) -> bool {
+        self.ring.is_some() && self.count() < self.degree + 2
+    }
+
+    /// The place of entry `j` in the lists.
+    #[inline]
+    fn place(&self, j: isize) -> usize {
+        let j = match usize::try_from(j) {
+            Ok(j) if j < self.count() => j,
+            _ => j.rem_euclid(self.count() as isize) as usize,
+        };
+        if j < self.head { j } else { j + self.gap }
+    }
+
+    #[inline]
+    fn knot(&self, j: isize) -> T {
+        let knot = &self.knots[self.place(j)];
+        match &self.ring {
+            Some((_, period)) if !(0..self.count() as isize).contains(&j) => {
+                knot.clone() + period.clone() * T::int(j.div_euclid(self.count() as isize) as i64)
+            }
+            _ => knot.clone(),
+        }
+    }
+
+    /// Moves on to the next knot inside: its value and number of copies.
+    pub(crate) fn advance(&mut self) -> Option<(T, usize)> {
+        let rest = &self.knots[self.head + self.gap..];
+        let u = rest
+            .first()
+            .filter(|u| self.ring.is_some() || *u < &self.knots[self.knots.len() - 1 - self.degree])?
+            .clone();
+        let copies = copies(rest);
+        for _ in 0..copies {
+            let (to, from) = (self.head, self.head + self.gap);
+            if to < from {
+                self.knots.swap(to, from);
+                self.coeffs.swap(to, from);
+                self.bounds.swap(to, from);
+                self.tried.swap(to, from);
+            }
+            self.head += 1;
+        }
+        Some((u, copies))
+    }
+
+    /// Whether the knot before the gap was tried before.
+    pub(crate) fn tried(&self) -> bool {
+        self.tried[self.head - 1]
+    }
+
+    /// Removes up to `times` of the `copies` copies of the knot before the gap; returns how many it removed.
+    pub(crate) fn remove(&mut self, copies: usize, times: usize, limit: &Limit<T>) -> usize {
+        // The seam marks the ends of the domain.
+        let seam = self.ring.is_some() && self.head == copies;
+        let most = times.min(if seam { copies - 1 } else { copies });
+        let fits = |this: &mut Self, gone: usize| {
+            if this.is_tight() {
+                return false;
+            }
+            let mut change = this.try_last(copies - gone, None);
+            if matches!(limit, Limit::Within(tolerance) if change.main > *tolerance) {
+                return false;
+            }
+            this.trial.add_rounding(&mut change);
+            let fine = this.allows(&change, limit);
+            if fine {
+                this.accept(&change);
+            }
+            fine
+        };
+        let gone = (0..most).find(|&gone| !fits(self, gone)).unwrap_or(most);
+        if gone < copies {
+            self.tried[self.head - 1] = true;
+        }
+        gone
+    }
+
+    /// Removes one of the `copies` copies of the knot before the gap in any case, keeping one side as it is; returns the
+    /// interval where the spline changes.
+    pub(crate) fn drop_one(&mut self, copies: usize, keep: Keep) -> (T, T) {
+        let mut change = self.try_last(copies, Some(keep));
+        self.trial.add_rounding(&mut change);
+        let i = change.first + change.dropped as isize;
+        let changed = (self.knot(i), self.knot(i + self.degree as isize + 1));
+        self.accept(&change);
+        changed
+    }
+
+    /// Sets up and solves the equations of the last of `copies` copies of the knot before the gap.
+    fn try_last(&mut self, copies: usize, keep: Option<Keep>) -> Change<T> {
+        let (p, r, s) = (self.degree as isize, self.head as isize - 1, copies as isize);
+        let first = r - p - 1;
+        let mut trial = std::mem::replace(
+            &mut self.trial,
+            Trial { blends: Vec::new(), before: Vec::new(), after: Vec::new() },
+        );
+        let u = self.knots[self.head - 1].clone();
+        trial.blends.clear();
+        trial.blends.push((T::one(), T::zero()));
+        trial.blends.extend((first + 1..=r - s).map(|i| {
+            let (left, right) = (u.clone() - self.knot(i), self.knot(i + p + 1) - &u);
+            let share = T::one() / (left.clone() + &right);
+            (left * &share, right * share)
+        }));
+        trial.blends.push((T::zero(), T::one()));
+        trial.before.clear();
+        trial.before.extend((first..=r - s + 1).map(|i| self.coeffs[self.place(i)].clone()));
+        trial.after.clone_from(&trial.before);
+        let last = trial.blends.len() - 1;
+        let dropped = match keep {
+            None => unblend_best(&trial.blends, &mut trial.after),
+            Some(Keep::Left) => last.div_ceil(2),
+            Some(Keep::Right) => last / 2,
+        };
+        if keep.is_some() {
+            unblend(&trial.blends, dropped, &mut trial.after);
+        }
+        let change = trial.change(first, dropped);
+        self.trial = trial;
+        change
+    }
+
+    /// The spans whose bounds a change adds to, and what it adds: to those of the dropped equation, and to all.
+    fn touched(&self, change: &Change<T>) -> impl Iterator<Item = (isize, bool)> + use<T, C> {
+        let p = self.degree as isize;
+        let (first, last) = (change.first, change.first + self.trial.blends.len() as isize - 1);
+        let main = change.first + change.dropped as isize;
+        // A jump changes the spans on both sides.
+        let main = if last - first == 1 { first..=last + p } else { main..=main + p };
+        let inside = match &self.ring {
+            Some(_) => isize::MIN..isize::MAX,
+            None => p..(self.count() - self.degree - 1) as isize,
+        };
+        let count = self.count() as isize;
+        let all = match &self.ring {
+            _ if T::EXACT => main.clone(),
+            // Once round, so that no span counts twice.
+            Some(_) if last + p - first >= count => *main.start()..=main.start() + count - 1,
+            _ => first..=last + p,
+        };
+        all.filter(move |j| inside.contains(j)).map(move |j| (j, main.contains(&j)))
+    }
+
+    fn allows(&self, change: &Change<T>, limit: &Limit<T>) -> bool {
+        match limit {
+            Limit::Forced => true,
+            Limit::Exact => change.none,
+            Limit::Within(tolerance) => {
+                let both = change.main.clone() + &change.rest;
+                self.touched(change).all(|(j, main)| {
+                    let added = if main { &both } else { &change.rest };
+                    self.bounds[self.place(j)].clone() + added <= *tolerance
+                })
+            }
+        }
+    }
+
+    /// Puts the solved coefficients in place and takes out the knot.
+    fn accept(&mut self, change: &Change<T>) {
+        if !(change.main.is_zero() && change.rest.is_zero()) {
+            let both = change.main.clone() + &change.rest;
+            for (j, main) in self.touched(change) {
+                let place = self.place(j);
+                self.bounds[place] += if main { &both } else { &change.rest };
+            }
+        }
+        let mut after = std::mem::take(&mut self.trial.after);
+        for (i, c) in (change.first..).zip(after.drain(..)) {
+            let place = self.place(i);
+            self.coeffs[place] = c;
+        }
+        self.trial.after = after;
+        let (r, dropped) = (self.head - 1, change.first + change.dropped as isize);
+        for i in dropped..r as isize {
+            let (to, from) = (self.place(i), self.place(i + 1));
+            self.coeffs.swap(to, from);
+        }
+        // The spans on both sides of the knot become one.
+        let before = self.place(r as isize - 1);
+        let merged = larger(self.bounds[before].clone(), self.bounds[r].clone());
+        self.bounds[before] = merged;
+        self.head -= 1;
+        self.gap += 1;
+    }
+
+    /// Back to the first knot, with the gap closed.
+    pub(crate) fn rewind(&mut self) {
+        let gone = self.head..self.head + self.gap;
+        self.knots.drain(gone.clone());
+        self.bounds.drain(gone.clone());
+        self.tried.drain(gone.clone());
+        self.coeffs.drain(gone);
+        self.head = if self.ring.is_some() { 0 } else { self.degree + 1 };
+        self.gap = 0;
+    }
+
+    /// What is left, and the largest bound.
+    pub(crate) fn finish(mut self) -> Result<(Spline<T, C>, T)> {
+        self.rewind();
+        let bound = self.bounds.into_iter().fold(T::zero(), larger);
+        let space = match self.ring {
+            None => SplineSpace::new(self.degree, self.knots)?,
+            Some((end, _)) => {
+                let shift = (self.degree + 1 - copies(&self.knots)) % self.knots.len();
+                self.coeffs.rotate_right(shift);
+                SplineSpace::joined(self.degree, &KnotVector::new(self.knots)?, end)?
+            }
+        };
+        Ok((Spline::new(space, self.coeffs)?, bound))
+    }
+}
+
+impl<T: Scalar, C: Coeff<T>> Trial<T, C> {
+    fn lack(&self, dropped: usize, i: usize) -> C {
+        lack(&self.blends, dropped, i, &self.before[i], &self.after)
+    }
+
+    /// What changes if equation `dropped` is left out, but for rounding.
+    fn change(&self, first: isize, dropped: usize) -> Change<T> {
+        let lack = self.lack(dropped, dropped);
+        let mut none = lack.vanishes();
+        let mut main = if none { T::zero() } else { size(&lack) };
+        if self.blends.len() == 2 {
+            // A jump is shared out.
+            let other = self.lack(dropped, 1 - dropped);
+            none &= other.vanishes();
+            main = larger(main, size(&other));
+        }
+        Change { first, dropped, main, rest: T::zero(), none }
+    }
+
+    /// Adds what the other equations lack, checked with their own rounding.
+    fn add_rounding(&mut self, change: &mut Change<T>) {
+        if T::EXACT {
+            return;
+        }
+        let (dropped, n) = (change.dropped, self.blends.len() - 1);
+        for i in (1..n).filter(|&i| i != dropped) {
+            self.before[i] = self.lack(dropped, i);
+            change.none &= self.before[i].vanishes();
+        }
+        let but_dropped = |range: std::ops::Range<usize>| range.filter(move |&i| i != dropped);
+        let lacks = largest(but_dropped(1..n).map(|i| &self.before[i]));
+        let solved = largest(but_dropped(0..n + 1).map(|i| &self.after[i]));
+        change.rest = lacks + solved * T::int(8) * epsilon::<T>();
+    }
+}
+
+/// The number of copies of the first knot.
+fn copies<T: Scalar>(knots: &[T]) -> usize {
+    knots.iter().take_while(|t| **t == knots[0]).count()
+}
