@@ -43,7 +43,7 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
         start: &SplineSpace<T>,
         tolerance: &T,
         contact: Contact,
-    ) -> Result<Approximation<T, C>> {
+    ) -> Result<Approximation<Self, T>> {
         check_tolerance(tolerance)?;
         let mut space = start.clone();
         let mut rounds = 0..ROUNDS;

@@ -21,7 +21,7 @@ use crate::limits::check_dim;
 use crate::scalar::{Scalar, larger};
 use crate::spline::Spline;
 
-/// An approximation of a spline, with a certified bound of the distance between the two.
+/// An approximation of a spline, a surface or a rational one, with a certified bound of the distance between the two.
 ///
 /// The bound holds at every parameter, for limits from both sides, in the size in which errors are measured (the length
 /// of the difference vector). How sharp it is depends on the operator.
@@ -35,14 +35,14 @@ use crate::spline::Spline;
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub struct Approximation<T, C = T> {
+pub struct Approximation<S, T> {
     /// The approximation.
-    pub spline: Spline<T, C>,
+    pub spline: S,
     /// At least the largest distance from what it approximates.
     pub bound: T,
 }
 
-impl<T: Scalar, C: Coeff<T>> Approximation<T, C> {
+impl<S, T: Scalar> Approximation<S, T> {
     /// The spline, if it is certainly within `tolerance`, a distance between values.
     ///
     /// # Errors
@@ -56,7 +56,7 @@ impl<T: Scalar, C: Coeff<T>> Approximation<T, C> {
     /// assert_eq!(line.elevated(1)?.degree_lowered(1)?.within(&1e-12)?, line);
     /// # Ok::<(), symspline::Error>(())
     /// ```
-    pub fn within(self, tolerance: &T) -> Result<Spline<T, C>> {
+    pub fn within(self, tolerance: &T) -> Result<S> {
         check_tolerance(tolerance)?;
         if self.bound <= *tolerance { Ok(self.spline) } else { Err(out_of_tolerance(&self.bound, tolerance)) }
     }

@@ -155,7 +155,7 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     /// assert!(back.bound < 1e-12);
     /// # Ok::<(), symspline::Error>(())
     /// ```
-    pub fn degree_lowered(&self, by: usize) -> Result<Approximation<T, C>> {
+    pub fn degree_lowered(&self, by: usize) -> Result<Approximation<Self, T>> {
         let spline = self.lowered(by)?;
         let bound = self.distance_bound(&spline)?;
         Ok(Approximation { spline, bound })
@@ -206,7 +206,7 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
         by: usize,
         continuity: Continuity,
         contact: Contact,
-    ) -> Result<Approximation<T, C>> {
+    ) -> Result<Approximation<Self, T>> {
         self.projected(&self.space().reduced_with(by, continuity)?, contact)
     }
 
@@ -232,7 +232,7 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
         by: usize,
         tolerance: &T,
         contact: Contact,
-    ) -> Result<Approximation<T, C>> {
+    ) -> Result<Approximation<Self, T>> {
         check_tolerance(tolerance)?;
         self.approximated_within(&self.space().reduced(by)?, tolerance, contact)
     }

@@ -41,7 +41,7 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     /// assert_eq!((back.spline, back.bound), (f, Q::int(0)));
     /// # Ok::<(), symspline::Error>(())
     /// ```
-    pub fn removed(&self, knot: &T, times: usize, tolerance: &T) -> Result<Approximation<T, C>> {
+    pub fn removed(&self, knot: &T, times: usize, tolerance: &T) -> Result<Approximation<Self, T>> {
         check_tolerance(tolerance)?;
         let mut removal = Removal::new(self);
         let copies = seek(&mut removal, knot)?;
@@ -76,7 +76,7 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     /// assert_eq!(fine.without_spare_knots(&Q::int(0))?.spline, f);
     /// # Ok::<(), symspline::Error>(())
     /// ```
-    pub fn without_spare_knots(&self, tolerance: &T) -> Result<Approximation<T, C>> {
+    pub fn without_spare_knots(&self, tolerance: &T) -> Result<Approximation<Self, T>> {
         check_tolerance(tolerance)?;
         self.thinned(&Limit::Within(tolerance.clone()), |_, copies| copies)
     }
@@ -125,7 +125,7 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
         &self,
         limit: &Limit<T>,
         times: impl Fn(&T, usize) -> usize,
-    ) -> Result<Approximation<T, C>> {
+    ) -> Result<Approximation<Self, T>> {
         let mut removal = Removal::new(self);
         // A knot after one that went waits for the next pass, so that spans grow evenly.
         let mut waiting = true;

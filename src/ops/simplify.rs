@@ -55,7 +55,7 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     /// assert!(simple.bound <= 1e-10);
     /// # Ok::<(), symspline::Error>(())
     /// ```
-    pub fn simplified_within(&self, tolerance: &T) -> Result<Approximation<T, C>> {
+    pub fn simplified_within(&self, tolerance: &T) -> Result<Approximation<Self, T>> {
         check_tolerance(tolerance)?;
         let mut near = Approximation { spline: self.clone(), bound: T::zero() };
         for by in 1..=self.degree() {

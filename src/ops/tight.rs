@@ -20,7 +20,7 @@ pub(crate) fn thin_tight<T: Scalar, C: Coeff<T>>(
     bound: T,
     times: impl Fn(&T, usize) -> usize,
     limit: &Limit<T>,
-) -> Result<Approximation<T, C>> {
+) -> Result<Approximation<Spline<T, C>, T>> {
     let mut thin = Approximation { spline: f, bound };
     for (knot, copies) in thin.spline.space().round() {
         let seam = usize::from(knot == *thin.spline.domain().0);

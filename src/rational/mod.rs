@@ -12,3 +12,4 @@ pub mod eval;
 pub mod arithmetic;
 pub mod derivative;
 pub mod moebius;
+pub mod approximate;

@@ -10,6 +10,7 @@ pub mod eval;
 pub(crate) mod patches;
 pub mod compose;
 pub mod range;
+pub mod approximate;
 pub mod product;
 pub mod integral;
 pub mod form;

@@ -10,7 +10,7 @@ use symspline::{Approximation, Contact, Continuity, Function, Q};
 const EPS: f64 = f64::EPSILON;
 
 /// Checks the bound against exact values.
-fn check(f: &Function<f64>, near: &Approximation<f64>) -> Result<(), TestCaseError> {
+fn check(f: &Function<f64>, near: &Approximation<Function<f64>, f64>) -> Result<(), TestCaseError> {
     let (f, g, bound) = (exact(f)?, exact(&near.spline)?, Q::try_from(near.bound)?);
     for x in probes(f.space()) {
         let left = if x == *f.domain().0 { f.domain().1 } else { &x };
