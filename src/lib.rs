@@ -1,9 +1,10 @@
-//! Exact spline algebra, and fine tuning of curves.
+//! Exact algebra of spline curves and surfaces, polynomial and rational, and fine tuning of curves.
 //!
 //! A [`SplineSpace`] is a value: a degree, knots, and how the ends meet. A [`Spline`] is a list of coefficients in a
 //! space: numbers ([`Function`]) or points ([`Curve`]). Operators are maps between spaces, kept as rows of weights
 //! ([`LinearMap`], [`BilinearMap`]), and run over any ordered field ([`Scalar`]): over `f64`, and exactly over the rationals
-//! [`Q`].
+//! [`Q`]. A surface ([`TensorSpline`]) is a spline of rows, a rational spline ([`Rational`]) one of weighted points: they ride
+//! through the same operators.
 //!
 //! # Examples
 //! The integral of a product, by two routes, exactly:
@@ -20,7 +21,8 @@
 //! # Where things are
 //! - spaces: [`SplineSpace`], with its methods for finer, united and product spaces and for basis functions;
 //! - operators: methods of [`Spline`], explained file by file in [`ops`];
-//! - splines from data: [`build`];
+//! - surfaces: [`tensor`]; rational curves and surfaces: [`rational`];
+//! - splines from data, and conics: [`build`];
 //! - roots of polynomials: [`roots`];
 //! - curvature: [`analysis`];
 //! - fine tuning: [`fine_tune`];
