@@ -12,6 +12,7 @@ use crate::coeff::Coeff;
 use crate::error::Result;
 use crate::functional::weigh;
 use crate::linalg::BandedSystem;
+use crate::ops::bound::Approximation;
 use crate::row::Row;
 use crate::scalar::Scalar;
 use crate::space::SplineSpace;
@@ -54,24 +55,27 @@ impl<T: Scalar> SplineSpace<T> {
 }
 
 impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
-    /// A spline of `target` near this one, by [quasi-interpolation](SplineSpace::quasi_interpolant): the same function if
-    /// `target` contains it.
+    /// A spline of `target` near this one, by [quasi-interpolation](SplineSpace::quasi_interpolant), with a certified bound:
+    /// the same function if `target` contains it.
     ///
     /// # Errors
-    /// [`DomainMismatch`](crate::Error::DomainMismatch).
+    /// [`DomainMismatch`](crate::Error::DomainMismatch); [`NotFinite`](crate::Error::NotFinite) on overflow.
     ///
     /// # Examples
     /// ```
     /// use symspline::{Function, Q, Scalar, SplineSpace};
     /// let square = Function::monomial(2, Q::int(0), Q::int(2))?;
     /// let target = SplineSpace::clamped(3, [0, 1, 2].map(Q::int))?;
-    /// assert_eq!(square.quasi_interpolated(&target)?, square.embedded(&target)?);
+    /// let near = square.quasi_interpolated(&target)?;
+    /// assert_eq!((near.spline, near.bound), (square.embedded(&target)?, Q::int(0)));
     /// # Ok::<(), symspline::Error>(())
     /// ```
-    pub fn quasi_interpolated(&self, target: &SplineSpace<T>) -> Result<Self> {
+    pub fn quasi_interpolated(&self, target: &SplineSpace<T>) -> Result<Approximation<Self, T>> {
         self.space().check_same_domain(target)?;
         let mut span = self.degree();
-        target.quasi_interpolant(|x| self.at_near(x, &mut span))
+        let spline = target.quasi_interpolant(|x| self.at_near(x, &mut span))?;
+        let bound = self.distance_bound(&spline)?;
+        Ok(Approximation { spline, bound })
     }
 }
 
