@@ -4,16 +4,14 @@
 
 mod numbers;
 
-use criterion::{BenchmarkGroup, Throughput, measurement::WallTime};
+use criterion::Throughput;
 use nalgebra::SVector;
-use numbers::{FLOATS, FRACTIONS, IMAGES, Numbers, assert_close};
+use numbers::{FLOATS, FRACTIONS, Group, IMAGES, Numbers, assert_close};
 use std::hint::black_box;
 use symspline::{Curve, Q, Result, Scalar};
 
 const SPANS: usize = 997;
 const COUNT: usize = 100_000;
-
-type Group<'a> = BenchmarkGroup<'a, WallTime>;
 
 fn main() -> Result<()> {
     let mut criterion = numbers::criterion();
@@ -32,11 +30,7 @@ fn floats(group: &mut Group<'_>) -> Result<()> {
     let curve = FLOATS.curve::<3>(3, SPANS)?;
     let end = *curve.domain().1;
     let sorted: Vec<f64> = (0..COUNT).map(|i| end * i as f64 / (COUNT - 1) as f64).collect();
-    // A congruential generator: no cache or predictor follows it.
-    let next =
-        |s: &u64| Some(s.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407));
-    let states = std::iter::successors(Some(1), next).skip(1).take(COUNT);
-    let random: Vec<f64> = states.map(|s| end * (s >> 11) as f64 / (1u64 << 53) as f64).collect();
+    let random: Vec<f64> = numbers::random(COUNT).map(|x| end * x).collect();
     let mut values = vec![SVector::zeros(); COUNT];
     check(&curve, &sorted)?;
 

@@ -3,37 +3,34 @@
 
 mod numbers;
 
-use criterion::{BenchmarkGroup, Throughput, measurement::WallTime};
-use numbers::{FLOATS, FRACTIONS, IMAGES, Numbers, assert_close};
+use criterion::Throughput;
+use numbers::{Group, Numbers, Question, assert_close};
 use std::hint::black_box;
 use symspline::{Coeff, Function, Result, Scalar, Spline};
 
-type Group<'a> = BenchmarkGroup<'a, WallTime>;
-
 fn main() -> Result<()> {
-    let mut criterion = numbers::criterion();
-    let mut group = criterion.benchmark_group("product");
-    for spans in [100, 1000, 10_000] {
-        products(&mut group, &FLOATS, spans, f64::EPSILON)?;
-    }
-    for spans in [10, 100] {
-        products(&mut group, &FRACTIONS, spans, Scalar::int(0))?;
-        products(&mut group, &IMAGES, spans, Scalar::int(0))?;
-    }
-    group.finish();
-    criterion.final_summary();
-    Ok(())
+    numbers::run::<Products>()
 }
 
-fn products<T: Scalar>(group: &mut Group<'_>, numbers: &Numbers<T>, spans: usize, epsilon: T) -> Result<()> {
-    let [parabolas, cubics] = [2, 3].map(|degree| numbers.function(degree, spans));
-    let (parabolas, cubics, curve) = (parabolas?, cubics?, numbers.curve::<2>(3, spans)?);
-    group.throughput(Throughput::Elements(spans as u64));
-    let samples = numbers.samples(spans, 50);
-    let name = |what: &str| format!("{what}/{}/{spans}", numbers.name);
-    product(group, name("2x2"), &parabolas, &parabolas, &samples, &epsilon)?;
-    product(group, name("3x3"), &cubics, &cubics, &samples, &epsilon)?;
-    product(group, name("2x3 curve"), &parabolas, &curve, &samples, &epsilon)
+struct Products;
+
+impl Question for Products {
+    const NAME: &'static str = "product";
+    type Size = usize;
+    const FLOATS: &'static [usize] = &[100, 1000, 10_000];
+    const FRACTIONS: &'static [usize] = &[10, 100];
+
+    fn ask<T: Scalar>(group: &mut Group<'_>, numbers: &Numbers<T>, spans: usize) -> Result<()> {
+        let epsilon = (numbers.epsilon)();
+        let [parabolas, cubics] = [2, 3].map(|degree| numbers.function(degree, spans));
+        let (parabolas, cubics, curve) = (parabolas?, cubics?, numbers.curve::<2>(3, spans)?);
+        group.throughput(Throughput::Elements(spans as u64));
+        let samples = numbers.samples(spans, 50);
+        let name = |what: &str| format!("{what}/{}/{spans}", numbers.name);
+        product(group, name("2x2"), &parabolas, &parabolas, &samples, &epsilon)?;
+        product(group, name("3x3"), &cubics, &cubics, &samples, &epsilon)?;
+        product(group, name("2x3 curve"), &parabolas, &curve, &samples, &epsilon)
+    }
 }
 
 fn product<T: Scalar, C: Coeff<T>>(

@@ -2,7 +2,8 @@
 
 use crate::error::{Error, Result};
 use crate::functional::Functional;
-use crate::limits::check_degree;
+use crate::limits::{check_degree, check_entries};
+use crate::map::LinearMap;
 use crate::polar::{blossom, differentiate, take_run};
 use crate::scalar::Scalar;
 use crate::space::SplineSpace;
@@ -28,6 +29,34 @@ impl<T: Scalar> SplineSpace<T> {
         Ok(self.basis_on(self.locate(x)?, x))
     }
 
+    /// The values at `parameters` as a map: row `i` holds the basis functions at parameter `i`.
+    ///
+    /// # Errors
+    /// [`Error::OutsideDomain`]; [`Error::TooLarge`] for more than [`MAX_ENTRIES`](crate::limits::MAX_ENTRIES) weights.
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::SplineSpace;
+    /// let line = SplineSpace::bezier(1, 0.0, 1.0)?;
+    /// assert_eq!(line.evaluation(&[0.0, 0.75])?.apply(&[4.0, 8.0])?, [4.0, 7.0]);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    pub fn evaluation(&self, parameters: &[T]) -> Result<LinearMap<T>> {
+        let p = self.degree();
+        check_entries(parameters.len(), p + 1)?;
+        let mut map = LinearMap::empty(self.dim(), parameters.len());
+        let mut k = p;
+        for x in parameters {
+            k = self.locate_near(x, k)?;
+            map.push(k - p, |weights| {
+                let start = weights.len();
+                weights.resize(start + p + 1, T::zero());
+                blossom(self.knots(), k, k, |_| x, &mut weights[start..]);
+            });
+        }
+        Ok(map)
+    }
+
     /// The weights, in the first `p` places, of the legs `c_{i+1} - c_i` in the first derivative on span `k`, for a degree
     /// of 1 up to that of [`small_weights`].
     #[inline]
@@ -40,7 +69,7 @@ impl<T: Scalar> SplineSpace<T> {
         weights
     }
 
-    /// The value at `x` of the polynomial of span `k`.
+    /// The weights of the value at `x` of the polynomial of span `k`.
     pub(crate) fn basis_on(&self, k: usize, x: &T) -> Functional<T> {
         let p = self.degree();
         let mut weights = vec![T::zero(); p + 1];

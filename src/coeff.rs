@@ -1,6 +1,6 @@
 //! What a spline may have as coefficients: vectors over the field of its knots.
 
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::scalar::Scalar;
 use nalgebra::SVector;
 
@@ -84,6 +84,19 @@ pub trait Coeff<T: Scalar>: Clone + PartialEq + std::fmt::Debug + Send + Sync + 
     fn vanishes(&self) -> bool {
         self.components().all(T::is_zero)
     }
+}
+
+/// Refuses rows of different lengths.
+pub(crate) fn check_shapes<T: Scalar, C: Coeff<T>>(coeffs: &[C]) -> Result<()> {
+    match coeffs.iter().position(|c| !c.same_shape(&coeffs[0])) {
+        Some(index) => Err(Error::Ragged { index }),
+        None => Ok(()),
+    }
+}
+
+/// Refuses to add a row to one of another length.
+pub(crate) fn check_pair<T: Scalar, C: Coeff<T>>(c: &C, d: &C) -> Result<()> {
+    if c.same_shape(d) { Ok(()) } else { Err(Error::Ragged { index: 0 }) }
 }
 
 impl<T: Scalar> Coeff<T> for T {

@@ -3,7 +3,7 @@
 //! An operator between spline spaces is one short row of weights a target coefficient, made from the knots alone.
 //! Kept by the caller, such a map is a table: applying it again to other coefficients costs a few products a row.
 
-use crate::coeff::Coeff;
+use crate::coeff::{Coeff, check_shapes};
 use crate::error::{Error, Result};
 use crate::functional::{Functional, weigh};
 use crate::gather::{Gather, wrap};
@@ -114,7 +114,8 @@ impl<T: Scalar> LinearMap<T> {
     /// The image of `coeffs`.
     ///
     /// # Errors
-    /// [`Error::CoefficientCount`] if their number is not [`source_dim`](Self::source_dim).
+    /// [`Error::CoefficientCount`] if their number is not [`source_dim`](Self::source_dim); [`Error::Ragged`] if they are
+    /// rows of different lengths.
     ///
     /// # Examples
     /// ```
@@ -128,6 +129,7 @@ impl<T: Scalar> LinearMap<T> {
         if coeffs.len() != self.source_dim {
             return Err(Error::CoefficientCount { expected: self.source_dim, found: coeffs.len() });
         }
+        check_shapes(coeffs)?;
         Ok(self.rows().map(|(first, weights)| weigh(first, weights, coeffs)).collect())
     }
 

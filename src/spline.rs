@@ -1,6 +1,6 @@
 //! Splines: coefficients in a space.
 
-use crate::coeff::Coeff;
+use crate::coeff::{Coeff, check_shapes};
 use crate::error::{Error, Result};
 use crate::functional::weigh;
 use crate::limits::check_degree;
@@ -57,9 +57,7 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
         if coeffs.len() != space.dim() {
             return Err(Error::CoefficientCount { expected: space.dim(), found: coeffs.len() });
         }
-        if let Some(index) = coeffs.iter().position(|c| !c.same_shape(&coeffs[0])) {
-            return Err(Error::Ragged { index });
-        }
+        check_shapes(&coeffs)?;
         match coeffs.iter().position(|c| !c.all_finite()) {
             Some(index) => Err(Error::NotFinite { what: "coefficient", index }),
             None => Ok(Self { space, coeffs }),

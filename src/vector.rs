@@ -64,3 +64,10 @@ pub(crate) fn unit<T: Real, const N: usize>(vector: &SVector<T, N>) -> Option<(S
     let usable = !size.is_zero() && size.is_finite();
     usable.then(|| (vector.map(|x| x / &size), size))
 }
+
+/// The direction across two vectors. Each is brought to unit length first, so that no product overflows or vanishes by
+/// rounding.
+pub(crate) fn unit_cross<T: Real>(c: &SVector<T, 3>, d: &SVector<T, 3>) -> Option<SVector<T, 3>> {
+    let ((c, _), (d, _)) = (unit(c)?, unit(d)?);
+    unit(&cross3(&c, &d)).map(|(direction, _)| direction)
+}

@@ -2,10 +2,40 @@
 
 #![allow(dead_code, reason = "each bench uses a part")]
 
-use criterion::Criterion;
+use criterion::{BenchmarkGroup, Criterion, measurement::WallTime};
 use nalgebra::SVector;
 use std::time::Duration;
-use symspline::{Coeff, Curve, Function, Q, Result, Scalar, SplineSpace};
+use symspline::{Coeff, Curve, Function, Q, Result, Scalar, SplineSpace, Surface, TensorSpline};
+
+pub type Group<'a> = BenchmarkGroup<'a, WallTime>;
+
+/// A question asked of every kind of number.
+pub trait Question {
+    const NAME: &'static str;
+    type Size: Copy + 'static;
+    const FLOATS: &'static [Self::Size];
+    const FRACTIONS: &'static [Self::Size];
+    const IMAGES: &'static [Self::Size] = Self::FRACTIONS;
+
+    /// Checks the results, then measures.
+    fn ask<T: Scalar>(group: &mut Group<'_>, numbers: &Numbers<T>, size: Self::Size) -> Result<()>;
+}
+
+/// Asks a question of all sizes over `f64` and over `Q`.
+pub fn ask<A: Question>(criterion: &mut Criterion) -> Result<()> {
+    let group = &mut criterion.benchmark_group(A::NAME);
+    A::FLOATS.iter().try_for_each(|size| A::ask(group, &FLOATS, *size))?;
+    A::FRACTIONS.iter().try_for_each(|size| A::ask(group, &FRACTIONS, *size))?;
+    A::IMAGES.iter().try_for_each(|size| A::ask(group, &IMAGES, *size))
+}
+
+/// The `main` of a bench of one question.
+pub fn run<A: Question>() -> Result<()> {
+    let mut criterion = criterion();
+    ask::<A>(&mut criterion)?;
+    criterion.final_summary();
+    Ok(())
+}
 
 /// A field with a way to make knots and coefficients in it.
 pub struct Numbers<T> {
@@ -14,15 +44,18 @@ pub struct Numbers<T> {
     pub knot: fn(usize) -> T,
     /// Coefficient `i`, at most 1 in magnitude.
     pub value: fn(usize) -> T,
+    /// The unit of rounding errors.
+    pub epsilon: fn() -> T,
 }
 
-pub const FLOATS: Numbers<f64> = Numbers { name: "f64", knot: uneven, value: wave };
+pub const FLOATS: Numbers<f64> = Numbers { name: "f64", knot: uneven, value: wave, epsilon: || f64::EPSILON };
 
 /// Knots and coefficients with one-digit denominators.
 pub const FRACTIONS: Numbers<Q> = Numbers {
     name: "Q small",
     knot: |i| Q::frac((5 * i + i * i % 3) as i64, 5),
     value: |i| Q::frac((7 * i % 11) as i64 - 5, 6),
+    epsilon: || Q::int(0),
 };
 
 /// The lossless images of [`FLOATS`].
@@ -30,6 +63,7 @@ pub const IMAGES: Numbers<Q> = Numbers {
     name: "Q images",
     knot: |i| Q::try_from(uneven(i)).expect("knots are finite"),
     value: |i| Q::try_from(wave(i)).expect("coefficients are finite"),
+    epsilon: || Q::int(0),
 };
 
 fn uneven(i: usize) -> f64 {
@@ -38,6 +72,14 @@ fn uneven(i: usize) -> f64 {
 
 fn wave(i: usize) -> f64 {
     (0.7 * i as f64).cos()
+}
+
+/// Numbers in `[0, 1)` from a congruential generator: no cache or predictor follows it.
+pub fn random(count: usize) -> impl Iterator<Item = f64> {
+    let next =
+        |s: &u64| Some(s.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407));
+    let states = std::iter::successors(Some(1), next).skip(1).take(count);
+    states.map(|s: u64| (s >> 11) as f64 / (1_u64 << 53) as f64)
 }
 
 impl<T: Scalar> Numbers<T> {
@@ -57,6 +99,20 @@ impl<T: Scalar> Numbers<T> {
         let point = |i: usize| SVector::from_fn(|axis, _| (self.value)(N * i + axis));
         let coeffs = (0..space.dim()).map(point).collect();
         Curve::new(space, coeffs)
+    }
+
+    /// A scalar surface with `spans` spans in both directions.
+    pub fn field(&self, degree: usize, spans: usize) -> Result<TensorSpline<T>> {
+        let space = self.space(degree, spans)?;
+        let coeffs = (0..space.dim() * space.dim()).map(self.value).collect();
+        TensorSpline::new(space.clone(), space, coeffs)
+    }
+
+    pub fn surface<const N: usize>(&self, degree: usize, spans: usize) -> Result<Surface<T, N>> {
+        let space = self.space(degree, spans)?;
+        let point = |i: usize| SVector::from_fn(|axis, _| (self.value)(N * i + axis));
+        let coeffs = (0..space.dim() * space.dim()).map(point).collect();
+        Surface::new(space.clone(), space, coeffs)
     }
 
     /// About `count` parameters all over the domain of `spans` spans, for checks.

@@ -4,7 +4,7 @@
 //! its own, in order, at which its basis function does not vanish (Schoenberg and Whitney; [deBoor, 2001]). Least
 //! squares solve the normal equations `Σ_k N_i(x_k) (f(x_k) - d_k) = 0`, which over `Q` is exact.
 
-use crate::coeff::Coeff;
+use crate::coeff::{Coeff, check_shapes};
 use crate::error::{Error, Result};
 use crate::functional::Functional;
 use crate::linalg::BandedSystem;
@@ -144,6 +144,7 @@ fn check_data<T: Scalar, C: Coeff<T>>(space: &SplineSpace<T>, parameters: &[T], 
     if data.is_empty() || parameters.len() < space.dim() {
         return Err(Error::TooFewPoints { expected: space.dim(), found: data.len() });
     }
+    check_shapes(data)?;
     if let Some(index) = data.iter().position(|value| !value.all_finite()) {
         return Err(Error::NotFinite { what: "point", index });
     }

@@ -2,7 +2,7 @@
 //!
 //! Two splines of different spaces are first written in the union of the spaces; there coefficients add.
 
-use crate::coeff::Coeff;
+use crate::coeff::{Coeff, check_pair};
 use crate::error::Result;
 use crate::ops::signs::signs;
 use crate::scalar::Scalar;
@@ -12,7 +12,8 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     /// The sum `self + other`, in the [union](crate::SplineSpace::union) of the spaces.
     ///
     /// # Errors
-    /// [`DomainMismatch`](crate::Error::DomainMismatch); [`NotFinite`](crate::Error::NotFinite) on overflow.
+    /// [`DomainMismatch`](crate::Error::DomainMismatch); [`Ragged`](crate::Error::Ragged) if coefficients are rows of another
+    /// length; [`NotFinite`](crate::Error::NotFinite) on overflow.
     ///
     /// # Examples
     /// ```
@@ -56,6 +57,7 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     /// # Ok::<(), symspline::Error>(())
     /// ```
     pub fn plus_scaled(&self, weight: &T, other: &Self) -> Result<Self> {
+        check_pair(&self.coeffs()[0], &other.coeffs()[0])?;
         self.paired_by(other, |c, d| {
             let mut sum = c.clone();
             sum.add_scaled(weight, d);
@@ -92,7 +94,8 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     /// The spline plus a constant.
     ///
     /// # Errors
-    /// [`NotFinite`](crate::Error::NotFinite) as for [`scaled`](Self::scaled).
+    /// [`NotFinite`](crate::Error::NotFinite) as for [`scaled`](Self::scaled); [`Ragged`](crate::Error::Ragged) as for
+    /// [`sum`](Self::sum).
     ///
     /// # Examples
     /// ```
@@ -101,6 +104,7 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     /// # Ok::<(), symspline::Error>(())
     /// ```
     pub fn translated(&self, by: &C) -> Result<Self> {
+        check_pair(&self.coeffs()[0], by)?;
         let mut coeffs = self.coeffs().to_vec();
         coeffs.iter_mut().for_each(|c| c.add_scaled(&T::one(), by));
         Spline::new(self.space().clone(), coeffs)
@@ -111,7 +115,7 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     /// Over `f64` rounding usually makes this false where it would be true exactly.
     ///
     /// # Errors
-    /// [`DomainMismatch`](crate::Error::DomainMismatch).
+    /// As [`sum`](Self::sum).
     ///
     /// # Examples
     /// ```

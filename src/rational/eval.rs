@@ -9,7 +9,7 @@ use crate::rational::spline::{NurbsSurface, Rational};
 use crate::row::Row;
 use crate::scalar::{Real, Scalar};
 use crate::tensor::form::{QuadraticForm, first_form, second_form};
-use crate::vector::{cross3, unit};
+use crate::vector::{cross3, unit_cross};
 use crate::weighted::Weighted;
 use nalgebra::SVector;
 
@@ -186,8 +186,8 @@ impl<T: Real> NurbsSurface<T, 3> {
     /// # Errors
     /// [`Error::OutsideDomain`]; [`Error::NoNormal`] where `S_u × S_v` vanishes.
     pub fn unit_normal_at(&self, u: &T, v: &T) -> Result<SVector<T, 3>> {
-        let normal = unit(&self.normal_at(u, v)?);
-        normal.map(|(direction, _)| direction).ok_or_else(|| Error::no_normal(u, v))
+        let [_, along_u, along_v] = self.tangents_at(u, v)?;
+        unit_cross(&along_u, &along_v).ok_or_else(|| Error::no_normal(u, v))
     }
 
     /// The second fundamental form at a point.

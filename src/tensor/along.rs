@@ -5,6 +5,7 @@
 
 use crate::coeff::Coeff;
 use crate::error::Result;
+use crate::limits::check_dim;
 use crate::row::Row;
 use crate::scalar::Scalar;
 use crate::space::SplineSpace;
@@ -32,7 +33,8 @@ impl<T: Scalar, C: Coeff<T>> TensorSpline<T, C> {
     /// The surface after `operator`, any operator of one variable, along `direction`.
     ///
     /// # Errors
-    /// Those of `operator`; [`CoefficientCount`](crate::Error::CoefficientCount) if it changes the length of rows.
+    /// Those of `operator`; [`CoefficientCount`](crate::Error::CoefficientCount) if it changes the length of rows;
+    /// [`TooLarge`](crate::Error::TooLarge), though only after `operator` has run.
     ///
     /// # Examples
     /// ```
@@ -54,6 +56,11 @@ impl<T: Scalar, C: Coeff<T>> TensorSpline<T, C> {
             }
             Direction::V => Ok(self.transposed().along(Direction::U, operator)?.transposed()),
         }
+    }
+
+    /// Refuses `target` along `direction` if the grid became too large.
+    fn check_size(&self, direction: Direction, target: &SplineSpace<T>) -> Result<()> {
+        check_dim((self.coeffs().len() / self.space(direction).dim()).saturating_mul(target.dim()))
     }
 
     /// The curve across `direction` that is left when `functional` has taken in that direction.
@@ -153,7 +160,7 @@ impl<T: Scalar, C: Coeff<T>> TensorSpline<T, C> {
     /// The same surface in larger spaces.
     ///
     /// # Errors
-    /// As [`Spline::embedded`].
+    /// As [`Spline::embedded`]; [`TooLarge`](crate::Error::TooLarge).
     ///
     /// # Examples
     /// ```
@@ -165,15 +172,18 @@ impl<T: Scalar, C: Coeff<T>> TensorSpline<T, C> {
     /// # Ok::<(), symspline::Error>(())
     /// ```
     pub fn embedded(&self, u: &SplineSpace<T>, v: &SplineSpace<T>) -> Result<Self> {
+        check_dim(u.dim().saturating_mul(v.dim()))?;
         self.along(Direction::U, |rows| rows.embedded(u))?.along(Direction::V, |rows| rows.embedded(v))
     }
 
     /// The same surface with `knots` inserted along `direction`.
     ///
     /// # Errors
-    /// As [`Spline::inserted`].
+    /// As [`Spline::inserted`]; [`TooLarge`](crate::Error::TooLarge).
     pub fn inserted(&self, direction: Direction, knots: &[T]) -> Result<Self> {
-        self.along(direction, |rows| rows.inserted(knots))
+        let target = self.space(direction).refined(knots)?;
+        self.check_size(direction, &target)?;
+        self.along(direction, |rows| rows.embedded(&target))
     }
 
     /// The same surface, `raise` degrees higher along `direction`.
@@ -181,6 +191,7 @@ impl<T: Scalar, C: Coeff<T>> TensorSpline<T, C> {
     /// # Errors
     /// As [`Spline::elevated`].
     pub fn elevated(&self, direction: Direction, raise: usize) -> Result<Self> {
+        self.check_size(direction, &self.space(direction).elevated(raise)?)?;
         self.along(direction, |rows| rows.elevated(raise))
     }
 

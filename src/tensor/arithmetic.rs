@@ -1,6 +1,6 @@
 //! Sums, differences and multiples of surfaces, in the unions of their spaces.
 
-use crate::coeff::Coeff;
+use crate::coeff::{Coeff, check_pair};
 use crate::error::Result;
 use crate::ops::signs::signs;
 use crate::scalar::Scalar;
@@ -39,6 +39,7 @@ impl<T: Scalar, C: Coeff<T>> TensorSpline<T, C> {
     /// # Ok::<(), symspline::Error>(())
     /// ```
     pub fn plus_scaled(&self, weight: &T, other: &Self) -> Result<Self> {
+        check_pair(&self.coeffs()[0], &other.coeffs()[0])?;
         self.paired_by(other, |c, d| {
             let mut sum = c.clone();
             sum.add_scaled(weight, d);
@@ -70,6 +71,7 @@ impl<T: Scalar, C: Coeff<T>> TensorSpline<T, C> {
     /// # Errors
     /// [`NotFinite`](crate::Error::NotFinite).
     pub fn translated(&self, by: &C) -> Result<Self> {
+        check_pair(&self.coeffs()[0], by)?;
         self.map_coeffs(|c| {
             let mut moved = c.clone();
             moved.add_scaled(&T::one(), by);

@@ -6,7 +6,6 @@ use crate::functional::weigh;
 use crate::limits::{check_degree, check_dim};
 use crate::row::Row;
 use crate::scalar::Scalar;
-use crate::spline::Spline;
 use crate::tensor::spline::TensorSpline;
 use crate::window::{SMALL, derivatives, small_weights};
 
@@ -43,18 +42,19 @@ impl<T: Scalar, C: Coeff<T>> TensorSpline<T, C> {
     /// # Ok::<(), symspline::Error>(())
     /// ```
     pub fn eval(&self, points: &[(T, T)]) -> Result<Vec<C>> {
+        let mut values = Vec::with_capacity(points.len());
         let (mut k, mut l) = (0, 0);
-        let value = |(u, v): &(T, T)| {
+        for (u, v) in points {
             (k, l) = (self.u().locate_near(u, k)?, self.v().locate_near(v, l)?);
-            Ok(self.on_patch((k, l), u, v))
-        };
-        points.iter().map(value).collect()
+            values.push(self.on_patch((k, l), u, v));
+        }
+        Ok(values)
     }
 
     /// The values on the grid of all pairs, row by row: `(us[i], vs[j])` at `i * vs.len() + j`.
     ///
-    /// Each column of coefficients is evaluated once, so that a value costs about `p + 1` products. Sorted parameters are
-    /// fastest.
+    /// Basis functions are evaluated once for each parameter, and one direction once for each row of the grid or of the
+    /// coefficients, whichever are fewer: a value costs about `p + 1` products.
     ///
     /// # Errors
     /// [`OutsideDomain`](crate::Error::OutsideDomain), [`TooLarge`](crate::Error::TooLarge).
@@ -69,9 +69,19 @@ impl<T: Scalar, C: Coeff<T>> TensorSpline<T, C> {
     /// ```
     pub fn eval_grid(&self, us: &[T], vs: &[T]) -> Result<Vec<C>> {
         check_dim(us.len().saturating_mul(vs.len()))?;
-        let rows = self.rows().map(|row| Spline::new(self.v().clone(), row.to_vec())?.eval(vs).map(Row));
-        let rows = Spline::new(self.u().clone(), rows.collect::<Result<_>>()?)?;
-        Ok(rows.eval(us)?.into_iter().flat_map(|row| row.0).collect())
+        let (along, across) = (self.u().evaluation(us)?, self.v().evaluation(vs)?);
+        let values = |row: Row<C>| across.apply(&row).map(Row);
+        let mut rows = self.spline_of_rows().into_coeffs();
+        let v_first = rows.len() <= us.len();
+        if v_first {
+            rows = rows.into_iter().map(values).collect::<Result<_>>()?;
+        }
+        let mut grid = Vec::with_capacity(us.len() * vs.len());
+        for (first, weights) in along.rows() {
+            let row = weigh(first, weights, &rows);
+            grid.extend(if v_first { row.0 } else { values(row)?.0 });
+        }
+        Ok(grid)
     }
 
     /// The value at `(u, v)` of the polynomial of the spans `k` and `l`.

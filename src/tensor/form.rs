@@ -1,7 +1,7 @@
 //! Quadratic forms of the parameter plane.
 
 use crate::scalar::{Real, Scalar};
-use crate::vector::{cross3, dot, unit};
+use crate::vector::{dot, unit_cross};
 use nalgebra::SVector;
 
 /// A quadratic form `uu du² + 2 uv du dv + vv dv²`, of numbers at a point or of scalar surfaces.
@@ -25,7 +25,7 @@ pub(crate) fn first_form<T: Scalar, const N: usize>(
 
 /// The second fundamental form from the partial derivatives `[k][l]`, if there is a normal.
 pub(crate) fn second_form<T: Real>(partials: &[Vec<SVector<T, 3>>]) -> Option<QuadraticForm<T>> {
-    let (normal, _) = unit(&cross3(&partials[1][0], &partials[0][1]))?;
+    let normal = unit_cross(&partials[1][0], &partials[0][1])?;
     Some(QuadraticForm {
         uu: dot(&partials[2][0], &normal),
         uv: dot(&partials[1][1], &normal),

@@ -9,7 +9,7 @@ use crate::scalar::{Real, Scalar};
 use crate::tensor::along::Direction::{U, V};
 use crate::tensor::form::{QuadraticForm, first_form, second_form};
 use crate::tensor::spline::{Surface, TensorSpline};
-use crate::vector::{cross3, unit};
+use crate::vector::{cross3, unit_cross};
 use nalgebra::SVector;
 
 impl<T: Scalar, const N: usize> Surface<T, N> {
@@ -119,8 +119,8 @@ impl<T: Real> Surface<T, 3> {
     /// # Ok::<(), symspline::Error>(())
     /// ```
     pub fn unit_normal_at(&self, u: &T, v: &T) -> Result<SVector<T, 3>> {
-        let normal = unit(&self.normal_at(u, v)?);
-        normal.map(|(direction, _)| direction).ok_or_else(|| Error::no_normal(u, v))
+        let [_, along_u, along_v] = self.tangents_at(u, v)?;
+        unit_cross(&along_u, &along_v).ok_or_else(|| Error::no_normal(u, v))
     }
 
     /// The second fundamental form at a point.

@@ -6,6 +6,7 @@
 use crate::bernstein::Shares;
 use crate::coeff::Coeff;
 use crate::error::{Error, Result};
+use crate::limits::check_dim;
 use crate::row::Row;
 use crate::scalar::Scalar;
 use crate::spline::Spline;
@@ -21,8 +22,8 @@ impl<T: Scalar, C: Coeff<T>> TensorSpline<T, C> {
     /// bilinear.
     ///
     /// # Errors
-    /// [`DomainMismatch`](Error::DomainMismatch), [`DegreeTooHigh`](Error::DegreeTooHigh);
-    /// [`NotFinite`](Error::NotFinite) on overflow.
+    /// [`DomainMismatch`](Error::DomainMismatch), [`DegreeTooHigh`](Error::DegreeTooHigh), [`TooLarge`](Error::TooLarge) also
+    /// if the Bezier pieces together are too many; [`NotFinite`](Error::NotFinite) on overflow.
     ///
     /// # Examples
     /// ```
@@ -39,8 +40,9 @@ impl<T: Scalar, C: Coeff<T>> TensorSpline<T, C> {
         other: &TensorSpline<T, A>,
         pair: impl Fn(&C, &A) -> B,
     ) -> Result<TensorSpline<T, B>> {
-        let target = self.v().product_space(other.v())?;
+        let (across, target) = (self.u().product_space(other.u())?, self.v().product_space(other.v())?);
         let (p, q) = (self.v().degree(), other.v().degree());
+        check_dim(across.pieces(across.degree())?.dim().saturating_mul(target.pieces(p + q)?.dim()))?;
         let left = self.embedded(self.u(), &target.pieces(p)?)?;
         let right = other.embedded(other.u(), &target.pieces(q)?)?;
         let shares = Shares::new(p, q);

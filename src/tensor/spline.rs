@@ -1,6 +1,6 @@
 //! Tensor-product splines: a grid of coefficients over two spaces.
 
-use crate::coeff::Coeff;
+use crate::coeff::{Coeff, check_shapes};
 use crate::error::{Error, Result};
 use crate::exact::Q;
 use crate::limits::check_dim;
@@ -56,9 +56,7 @@ impl<T: Scalar, C: Coeff<T>> TensorSpline<T, C> {
         if coeffs.len() != expected {
             return Err(Error::CoefficientCount { expected, found: coeffs.len() });
         }
-        if let Some(index) = coeffs.iter().position(|c| !c.same_shape(&coeffs[0])) {
-            return Err(Error::Ragged { index });
-        }
+        check_shapes(&coeffs)?;
         match coeffs.iter().position(|c| !c.all_finite()) {
             Some(index) => Err(Error::NotFinite { what: "coefficient", index }),
             None => Ok(Self { u, v, coeffs }),

@@ -13,9 +13,10 @@ mod removal;
 mod tuning;
 mod closed;
 mod curvature;
+mod surface;
 
 /// The categories tested here, with their numbers of cases.
-const TESTED: [(&str, usize); 18] = [
+const TESTED: [(&str, usize); 19] = [
     ("basis", 22),
     ("curve_ders", 3),
     ("hodograph", 3),
@@ -34,6 +35,7 @@ const TESTED: [(&str, usize); 18] = [
     ("closed_fine_tune_open", 2),
     ("curvature2d", 3),
     ("curvature3d", 3),
+    ("surface_T", 4),
 ];
 
 /// The file holds what its header promises, and nothing that is not tested.
@@ -49,5 +51,5 @@ fn every_case_is_counted() {
     assert_eq!(ids.len(), tested.iter().map(|(_, count)| count).sum::<usize>());
     ids.sort_unstable();
     ids.dedup();
-    assert_eq!(ids.len(), 122, "distinct cases");
+    assert_eq!(ids.len(), 126, "distinct cases");
 }

@@ -2,6 +2,7 @@
 
 use crate::oracle::{self, Side};
 use crate::strategies::{ANY, SMOOTH, cases, curve, function, probes, space};
+use proptest::collection::vec;
 use proptest::prelude::*;
 use proptest::sample::Index;
 use symspline::{Q, Scalar};
@@ -32,6 +33,17 @@ proptest! {
             let expected = wrapped(&oracle::basis(&space, &x, Side::Right), space.dim());
             prop_assert_eq!(space.basis(&x)?.to_dense(space.dim()), expected);
         }
+    }
+
+    #[test]
+    fn the_evaluation_is_a_map(c in curve::<2>(ANY), places in vec(any::<Index>(), 0..6)) {
+        let all = probes(c.space());
+        let parameters: Vec<Q> = places.iter().map(|place| place.get(&all).clone()).chain(all.clone()).collect();
+        let map = c.space().evaluation(&parameters)?;
+        prop_assert_eq!((map.source_dim(), map.target_dim()), (c.space().dim(), parameters.len()));
+        prop_assert!(map.rows().all(|(first, weights)| first < map.source_dim() && weights.len() == c.degree() + 1));
+        prop_assert_eq!(map.apply(c.coeffs())?, c.eval(&parameters)?);
+        prop_assert_eq!(map.transpose().transpose().apply(c.coeffs())?, c.eval(&parameters)?);
     }
 
     #[test]
@@ -70,7 +82,7 @@ proptest! {
     #[test]
     fn many_values_are_the_single_values(
         f in function(ANY),
-        places in prop::collection::vec(any::<Index>(), 0..8),
+        places in vec(any::<Index>(), 0..8),
     ) {
         let probes = probes(f.space());
         let parameters: Vec<Q> = places.iter().map(|place| place.get(&probes).clone()).collect();
@@ -95,7 +107,7 @@ proptest! {
     #[test]
     fn a_hint_does_not_change_the_span(
         f in function(ANY),
-        hints in prop::collection::vec(any::<usize>(), 1..4),
+        hints in vec(any::<usize>(), 1..4),
     ) {
         let (space, mut span) = (f.space(), hints[0]);
         for x in probes(space) {

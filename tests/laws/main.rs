@@ -1,7 +1,7 @@
 //! The laws of the library: what holds for every spline, over exact rationals and with `==`.
 //!
 //! One file an operator; `strategies` makes the splines, `oracle` the answers from the definitions. Laws of `f64` are
-//! in `rounding` and `uneven`, with their bounds; `hostile` holds what must be refused.
+//! in `rounding` and `uneven`, with their bounds; `hostile` holds what must be refused. Those of surfaces are in `surface`.
 //!
 //! A case that fails is kept by proptest in `tests/proptest-regressions` and run first from then on.
 
@@ -38,6 +38,7 @@ mod least_squares;
 mod curvature;
 mod fine_tune;
 mod hold;
+mod surface;
 mod rounding;
 mod approximation;
 mod uneven;

@@ -1,6 +1,6 @@
 //! Answers from the definitions, written without the library's kernels.
 
-use symspline::{Coeff, Function, Q, Scalar, Spline, SplineSpace};
+use symspline::{Coeff, Function, Q, Scalar, Spline, SplineSpace, TensorSpline};
 
 /// From which side a limit is taken.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -49,6 +49,19 @@ pub fn value<C: Coeff<Q>>(f: &Spline<Q, C>, x: &Q, side: Side) -> C {
     let mut sum = f.coeffs()[0].zero_like();
     for (i, n) in basis(space, x, side).iter().enumerate() {
         sum.add_scaled(n, &f.coeffs()[i % space.dim()]);
+    }
+    sum
+}
+
+/// The value of a surface: the sum over all pairs of basis functions.
+pub fn surface_value<C: Coeff<Q>>(s: &TensorSpline<Q, C>, u: &Q, v: &Q) -> C {
+    let mut sum = s.coeffs()[0].zero_like();
+    let along_v = basis(s.v(), v, Side::Right);
+    for (i, n) in basis(s.u(), u, Side::Right).iter().enumerate() {
+        for (j, m) in along_v.iter().enumerate() {
+            let slot = i % s.u().dim() * s.v().dim() + j % s.v().dim();
+            sum.add_scaled(&(n.clone() * m), &s.coeffs()[slot]);
+        }
     }
     sum
 }

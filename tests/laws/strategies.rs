@@ -7,7 +7,7 @@ use nalgebra::SVector;
 use proptest::collection::vec;
 use proptest::prelude::*;
 use proptest::sample::{Index, select};
-use symspline::{Coeff, Curve, Function, Q, Scalar, Spline, SplineSpace};
+use symspline::{Coeff, Curve, Function, Q, Scalar, Spline, SplineSpace, Surface, TensorSpline};
 
 /// The most coefficients of a generated space.
 const MOST: usize = 48;
@@ -34,10 +34,13 @@ pub struct Kind {
     degrees: (usize, usize),
     /// How many derivatives exist as splines: 0 allows jumps, 1 kinks.
     smooth: usize,
+    /// The most distinct knots inside.
+    knots: usize,
 }
 
 /// Every space: of degree 0 to 8, with jumps, clamped or not, periodic.
-pub const ANY: Kind = Kind { shapes: &[Clamped, Clamped, Unclamped, Periodic], degrees: (0, 8), smooth: 0 };
+pub const ANY: Kind =
+    Kind { shapes: &[Clamped, Clamped, Unclamped, Periodic], degrees: (0, 8), smooth: 0, knots: 4 };
 /// Spaces whose splines have a derivative.
 pub const SMOOTH: Kind = Kind { smooth: 1, ..ANY };
 /// Open spaces.
@@ -56,6 +59,11 @@ impl Kind {
     /// The same with `smooth` derivatives that are splines.
     pub const fn smooth(self, smooth: usize) -> Self {
         Self { smooth, ..self }
+    }
+
+    /// The same with at most `knots` distinct knots inside: surfaces have many coefficients.
+    pub const fn few(self, knots: usize) -> Self {
+        Self { knots, ..self }
     }
 }
 
@@ -101,6 +109,7 @@ impl Recipe {
             4 | 5 => 2,
             _ => 1,
         };
+        let inner_knots = self.kind.knots.min(inner_knots);
         let counted = grid[1..grid.len() - 1].iter().zip(&self.copies[1..]);
         let counted = counted.map(|(t, copies)| (t, copies.count(p, smooth))).filter(|(_, count)| *count > 0);
         let inner = counted.take(inner_knots).flat_map(|(t, count)| std::iter::repeat_n(t.clone(), count));
@@ -250,6 +259,52 @@ pub fn curve_and_function<const N: usize>(
         .prop_map(|([r, s], c, d)| (fill(r, &c), fill(s, &d)))
 }
 
+/// The surface over two spaces whose coefficients are dealt out from a pool, without a pattern.
+fn grid_of<C: Coeff<Q>>([u, v]: [SplineSpace<Q>; 2], pool: &[C]) -> TensorSpline<Q, C> {
+    let deal = |i: usize, j: usize| pool[(7 * i + 11 * j + i * j) % pool.len()].clone();
+    let coeffs = (0..u.dim()).flat_map(|i| (0..v.dim()).map(move |j| deal(i, j))).collect();
+    TensorSpline::new(u, v, coeffs).expect("as many coefficients as the spaces have")
+}
+
+/// Coefficients to deal out to a surface.
+fn pool<C: Coeff<Q>>(one: impl Strategy<Value = C>) -> impl Strategy<Value = Vec<C>> {
+    vec(one, 23)
+}
+
+/// A scalar surface, of the one kind along `u` and of the other along `v`.
+pub fn field(u: Kind, v: Kind) -> impl Strategy<Value = TensorSpline<Q>> {
+    (space(u), space(v), pool(number())).prop_map(|(u, v, pool)| grid_of([u, v], &pool))
+}
+
+/// A surface, of the one kind along `u` and of the other along `v`.
+pub fn surface<const N: usize>(u: Kind, v: Kind) -> impl Strategy<Value = Surface<Q, N>> {
+    (space(u), space(v), pool(point::<N>())).prop_map(|(u, v, pool)| grid_of([u, v], &pool))
+}
+
+/// Two scalar surfaces on one domain, the first of the kinds `one` along `u` and `v`, the second of the kinds `two`.
+pub fn fields(one: [Kind; 2], two: [Kind; 2]) -> impl Strategy<Value = [TensorSpline<Q>; 2]> {
+    let [us, vs] = [0, 1].map(|i| spaces(one[i], two[i]));
+    (us, vs, pool(number()), pool(number()))
+        .prop_map(|([u, x], [v, y], c, d)| [grid_of([u, v], &c), grid_of([x, y], &d)])
+}
+
+/// Two surfaces on one domain, the first of the kinds `one` along `u` and `v`, the second of the kinds `two`.
+pub fn surfaces<const N: usize>(one: [Kind; 2], two: [Kind; 2]) -> impl Strategy<Value = [Surface<Q, N>; 2]> {
+    let [us, vs] = [0, 1].map(|i| spaces(one[i], two[i]));
+    (us, vs, pool(point::<N>()), pool(point::<N>()))
+        .prop_map(|([u, x], [v, y], c, d)| [grid_of([u, v], &c), grid_of([x, y], &d)])
+}
+
+/// A surface of the kinds `one` and a scalar surface of the kinds `two` on one domain.
+pub fn surface_and_field<const N: usize>(
+    one: [Kind; 2],
+    two: [Kind; 2],
+) -> impl Strategy<Value = (Surface<Q, N>, TensorSpline<Q>)> {
+    let [us, vs] = [0, 1].map(|i| spaces(one[i], two[i]));
+    (us, vs, pool(point::<N>()), pool(number()))
+        .prop_map(|([u, x], [v, y], c, d)| (grid_of([u, v], &c), grid_of([x, y], &d)))
+}
+
 /// Places in a list yet to be seen.
 pub fn indices(most: usize) -> impl Strategy<Value = Vec<Index>> {
     vec(any::<Index>(), 0..=most)
@@ -264,6 +319,17 @@ pub fn probes(space: &SplineSpace<Q>) -> Vec<Q> {
         [a.clone(), within(a, b, 1, 9), within(a, b, 1, 2)]
     });
     inside.chain([breaks[breaks.len() - 1].0.clone()]).collect()
+}
+
+/// About twenty pairs of such parameters all over the domain of a surface, its last corner among them.
+pub fn probe_pairs<C: Coeff<Q>>(s: &TensorSpline<Q, C>) -> Vec<(Q, Q)> {
+    let (us, vs) = (probes(s.u()), probes(s.v()));
+    let skip = (us.len() * vs.len()).div_ceil(20);
+    let chosen = |i: usize, j: usize| (i * vs.len() + j + 1).is_multiple_of(skip);
+    let last = (us[us.len() - 1].clone(), vs[vs.len() - 1].clone());
+    let row = |i: usize| (0..vs.len()).filter(move |&j| chosen(i, j)).map(move |j| (i, j));
+    let pairs = (0..us.len()).flat_map(row).map(|(i, j)| (us[i].clone(), vs[j].clone()));
+    pairs.chain([last]).collect()
 }
 
 /// As many of the proposed knots as the space has room for, strictly inside; in a ring the seam counts as inside.
