@@ -65,7 +65,7 @@ pub mod plot;
 
 pub use analysis::curvature::Curved;
 pub use bilinear::{BilinearMap, BilinearRow};
-pub use build::conics::{arc, circle, conic, ellipse, segment};
+pub use build::conics::{arc, arc_by_angles, circle, conic, ellipse, segment};
 pub use build::fit::Ends;
 pub use build::parameters::{approximation_space, chord_length, interpolation_space};
 pub use coeff::Coeff;

@@ -88,10 +88,12 @@ pub trait Scalar:
     }
 }
 
-/// A [`Scalar`] with square roots.
+/// A [`Scalar`] with square roots and angles.
 pub trait Real: Scalar {
     /// The non-negative square root.
     fn sqrt(&self) -> Self;
+    /// Sine and cosine of an angle in radians.
+    fn sin_cos(&self) -> (Self, Self);
     /// The nearest `f64`, for pictures and reports.
     fn to_f64(&self) -> f64;
 }
@@ -129,6 +131,11 @@ impl Real for f64 {
     #[inline]
     fn sqrt(&self) -> Self {
         f64::sqrt(*self)
+    }
+
+    #[inline]
+    fn sin_cos(&self) -> (Self, Self) {
+        f64::sin_cos(*self)
     }
 
     #[inline]

@@ -11,8 +11,9 @@
 
 use crate::coeff::Coeff;
 use crate::error::{Error, Result};
+use crate::limits::check_dim;
 use crate::rational::spline::NurbsCurve;
-use crate::scalar::Scalar;
+use crate::scalar::{Real, Scalar};
 use crate::space::SplineSpace;
 use crate::spline::{Curve, Spline};
 use crate::vector::{cross2, dot};
@@ -114,10 +115,12 @@ pub fn circle<T: Scalar>(centre: &SVector<T, 2>, radius: &T) -> Result<NurbsCurv
 /// quarter. If both points are the same it is the full circle.
 ///
 /// Over an exact field the arc is exact, whatever the angle: no square root is needed. With `T = f64` the two distances from the
-/// centre may differ in the last bits, by `2^-40` of themselves.
+/// centre may differ in the last bits, by `2^-40` of themselves, and a right angle may be missed by as much without a piece
+/// more.
 ///
 /// # Errors
-/// [`Error::NotOnCircle`] unless both points have the same distance from `centre`, which is not zero.
+/// [`Error::NotOnCircle`] unless both points have the same distance from `centre`, which is not zero (nor so small that its
+/// square is); [`Error::NotFinite`] if the square of a distance overflows.
 ///
 /// # Examples
 /// ```
@@ -134,10 +137,13 @@ pub fn arc<T: Scalar>(
     to: &SVector<T, 2>,
 ) -> Result<NurbsCurve<T, 2>> {
     let (mut here, last) = (from.minus(centre), to.minus(centre));
-    let square = dot(&here, &here);
+    let squares = [&here, &last].map(|end| dot(end, end));
+    if let Some(index) = squares.iter().position(|square| !square.is_finite()) {
+        return Err(Error::NotFinite { what: "squared distance", index });
+    }
+    let [square, other] = squares;
     let slack = if T::EXACT { T::zero() } else { square.clone() * T::frac(1, 1 << 40) };
-    let level = (dot(&last, &last) - &square).magnitude() <= slack;
-    if square.is_zero() || !level {
+    if square.is_zero() || (other - &square).magnitude() > slack {
         return Err(Error::NotOnCircle);
     }
     let mut ends = Vec::with_capacity(5);
@@ -145,7 +151,7 @@ pub fn arc<T: Scalar>(
     // A quarter at a time while more than a quarter is left.
     loop {
         let (across, along) = (cross2(&here, &last), dot(&here, &last));
-        let within_quarter = across > T::zero() && along >= T::zero();
+        let within_quarter = across > T::zero() && along >= -slack.clone();
         if within_quarter || ends.len() == 4 {
             ends.push(last);
             break;
@@ -153,24 +159,75 @@ pub fn arc<T: Scalar>(
         here = vector![-here[1].clone(), here[0].clone()];
         ends.push(here.clone());
     }
-    arcs(centre, &square, &ends)
+    let rational = |before: &T, k: T| [T::one(), T::one() / (k * before)];
+    arcs(centre, [from, to], &square, &ends, rational)
 }
 
-/// The arcs between neighbouring `ends`, as seen from the centre, each less than half a turn.
-fn arcs<T: Scalar>(centre: &SVector<T, 2>, square: &T, ends: &[SVector<T, 2>]) -> Result<NurbsCurve<T, 2>> {
-    let (mut points, mut weights) = (vec![ends[0].clone()], vec![T::one()]);
+/// The arc of the circle around `centre` with `radius` that starts at the angle `start` and turns by `sweep`, over `[0, 1]`.
+///
+/// Angles are in radians, counter-clockwise from the right; a negative `sweep` turns clockwise, and one beyond a full turn
+/// runs over the circle again. There is one piece for each begun quarter, with the weights `1, cos(θ/2), 1` of its angle `θ`:
+/// the middle of its parameters is the middle of its angle.
+///
+/// # Errors
+/// [`Error::NotFinite`]; [`Error::NotOnCircle`] if the square of the radius is zero, [`Error::TooLarge`] for very many turns.
+///
+/// # Examples
+/// ```
+/// use nalgebra::vector;
+/// use std::f64::consts::PI;
+/// let half = symspline::arc_by_angles(&vector![1.0, 0.0], &2.0, &0.0, &-PI)?;
+/// assert!((half.at(&0.5)? - vector![1.0, -2.0]).norm() < 1e-15);
+/// # Ok::<(), symspline::Error>(())
+/// ```
+pub fn arc_by_angles<T: Real>(
+    centre: &SVector<T, 2>,
+    radius: &T,
+    start: &T,
+    sweep: &T,
+) -> Result<NurbsCurve<T, 2>> {
+    let square = radius.clone() * radius;
+    if let Some(index) = [&square, start, sweep].iter().position(|x| !x.is_finite()) {
+        return Err(Error::NotFinite { what: "radius or angle", index });
+    }
+    if square.is_zero() {
+        return Err(Error::NotOnCircle);
+    }
+    // A right angle that rounding made larger is still one piece.
+    let quarters = (sweep.to_f64().abs() / std::f64::consts::FRAC_PI_2 - 1e-9).ceil().max(1.0) as usize;
+    check_dim(quarters.saturating_mul(2))?;
+    let arm = |i: usize| {
+        let angle = start.clone() + sweep.clone() * T::frac(i as i64, quarters as i64);
+        let (sin, cos) = angle.sin_cos();
+        vector![cos * radius, sin * radius]
+    };
+    let ends: Vec<_> = (0..=quarters).map(arm).collect();
+    let [from, to] = [&ends[0], &ends[quarters]].map(|end| end + centre);
+    arcs(centre, [&from, &to], &square, &ends, |_, k| [k.sqrt(), T::one()])
+}
+
+/// The arcs between neighbouring `ends`, as seen from the centre, each less than half a turn. `weigh` gives `w_1` and `w_2`
+/// from `w_0` and `k`.
+fn arcs<T: Scalar>(
+    centre: &SVector<T, 2>,
+    [from, to]: [&SVector<T, 2>; 2],
+    square: &T,
+    ends: &[SVector<T, 2>],
+    weigh: impl Fn(&T, T) -> [T; 2],
+) -> Result<NurbsCurve<T, 2>> {
+    let (mut points, mut weights) = (vec![from.clone()], vec![T::one()]);
     for pair in ends.windows(2) {
         let k = (square.clone() + dot(&pair[0], &pair[1])) / (T::int(2) * square);
         let mut middle = pair[0].clone();
         middle.add_scaled(&T::one(), &pair[1]);
         middle.scale(&(T::one() / (T::int(2) * &k)));
-        let before = weights[weights.len() - 1].clone();
-        points.extend([middle, pair[1].clone()]);
-        weights.extend([T::one(), T::one() / (before * k)]);
+        points.extend([middle + centre, &pair[1] + centre]);
+        weights.extend(weigh(&weights[weights.len() - 1], k));
     }
     let pieces = ends.len() - 1;
+    // The ends are what was given, not rounded sums.
+    points[2 * pieces] = to.clone();
     let inner = (1..pieces).flat_map(|i| [i, i]);
     let breaks = [0].into_iter().chain(inner).chain([pieces]).map(|i| T::frac(i as i64, pieces as i64));
-    let points = points.iter().map(|point| point + centre).collect();
     NurbsCurve::new(SplineSpace::clamped(2, breaks)?, points, weights)
 }

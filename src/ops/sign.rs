@@ -16,8 +16,16 @@ pub enum Sign {
     Negative,
 }
 
-/// How many halvings there are at most.
-const HALVINGS: usize = 20_000;
+/// How often a patch is halved at most one after the other, for each direction. Near a double zero no halving decides, and
+/// the numbers of an exact field grow with each.
+const DEPTH: usize = 100;
+
+/// How many halvings of one piece there are at most: fewer for high degrees, where each costs more.
+fn most_halvings<const D: usize>(degrees: [usize; D]) -> usize {
+    let coeffs: usize = degrees.iter().map(|p| p + 1).product();
+    let steps = degrees.iter().sum::<usize>() + 1;
+    (8_000_000 / coeffs.saturating_mul(steps)).clamp(512, 20_000)
+}
 
 /// The sign of the values of the function that consists of `patches`.
 ///
@@ -30,20 +38,27 @@ pub(crate) fn sign_of<T: Scalar, const D: usize>(patches: Vec<Patch<T, D>>) -> R
         Sign::Positive => *x > T::zero(),
         Sign::Negative => *x < T::zero(),
     };
-    let mut open: Vec<(Patch<T, D>, usize)> = patches.into_iter().map(|patch| (patch, 0)).collect();
+    patches.into_iter().try_for_each(|patch| check_patch(patch, has_it))?;
+    Ok(sign)
+}
+
+/// Checks that all values of a patch have the sign that `has_it` tells.
+fn check_patch<T: Scalar, const D: usize>(patch: Patch<T, D>, has_it: impl Fn(&T) -> bool) -> Result<()> {
+    let most = most_halvings(patch.degrees);
+    let mut open = vec![(patch, 0)];
     let mut halvings = 0;
     while let Some((patch, depth)) = open.pop() {
-        if !patch.corners().all(has_it) {
+        if !patch.corners().all(&has_it) {
             return Err(Error::Pole);
         }
-        if patch.coeffs.iter().all(has_it) {
+        if patch.coeffs.iter().all(&has_it) {
             continue;
         }
         halvings += 1;
-        if halvings > HALVINGS {
+        if depth == D * DEPTH || halvings > most {
             return Err(Error::Undecided);
         }
         open.extend(patch.halves(depth).map(|half| (half, depth + 1)));
     }
-    Ok(sign)
+    Ok(())
 }

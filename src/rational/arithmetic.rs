@@ -54,14 +54,15 @@ impl<D: Domain<T>, T: Scalar, C: Coeff<T>> Rational<D, T, C> {
                 point.add_scaled(factor, &b.point);
                 Weighted { point, weight: a.weight.clone() }
             };
-            return Self::from_lifted(D::paired(self.lifted(), other.lifted(), sum)?);
+            return Self::known(D::paired(self.lifted(), other.lifted(), sum)?);
         }
         let lifted = D::product(self.lifted(), other.lifted(), |a: &Weighted<T, C>, b| {
             let mut point = a.point.scaled(&b.weight);
             point.add_scaled(&(a.weight.clone() * factor), &b.point);
             Weighted { point, weight: a.weight.clone() * &b.weight }
         });
-        Self::from_lifted(lifted?)
+        // A product of positive denominators.
+        Self::known(lifted?)
     }
 
     /// The multiple `factor * self`.
@@ -70,7 +71,7 @@ impl<D: Domain<T>, T: Scalar, C: Coeff<T>> Rational<D, T, C> {
     /// [`NotFinite`](crate::Error::NotFinite).
     pub fn scaled(&self, factor: &T) -> Result<Self> {
         let scale = |c: &Weighted<T, C>| Weighted { point: c.point.scaled(factor), weight: c.weight.clone() };
-        Self::from_lifted(D::map_coeffs(self.lifted(), scale)?)
+        Self::known(D::map_coeffs(self.lifted(), scale)?)
     }
 
     /// The spline moved by `by`.
@@ -83,7 +84,7 @@ impl<D: Domain<T>, T: Scalar, C: Coeff<T>> Rational<D, T, C> {
             point.add_scaled(&c.weight, by);
             Weighted { point, weight: c.weight.clone() }
         });
-        Self::from_lifted(lifted?)
+        Self::known(lifted?)
     }
 
     /// Whether both describe the same function. Over `f64` rounding makes that rare.
@@ -158,7 +159,7 @@ impl<D: Domain<T>, T: Scalar, C: Coeff<T>> Rational<D, T, C> {
         let lifted = D::product(self.lifted(), other.lifted(), |a: &Weighted<T, C>, b: &Weighted<T, A>| {
             Weighted { point: pair(&a.point, &b.point), weight: a.weight.clone() * &b.weight }
         });
-        Rational::from_lifted(lifted?)
+        Rational::known(lifted?)
     }
 }
 
@@ -205,7 +206,7 @@ impl<D: Domain<T>, T: Scalar, const N: usize> Rational<D, T, SVector<T, N>> {
             point: c.point[axis].clone(),
             weight: c.weight.clone(),
         };
-        Rational::from_lifted(D::map_coeffs(self.lifted(), entry)?)
+        Rational::known(D::map_coeffs(self.lifted(), entry)?)
     }
 }
 

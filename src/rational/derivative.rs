@@ -22,7 +22,8 @@ impl<D: Domain<T>, T: Scalar, C: Coeff<T>> Rational<D, T, C> {
         });
         let weight = self.denominator()?;
         let square = D::product(&weight, &weight, |a, b| a.clone() * b)?;
-        Self::from_quotient(&numerator?, &square)
+        let pair = |point: &C, weight: &T| Weighted { point: point.clone(), weight: weight.clone() };
+        Self::known(D::paired(&numerator?, &square, pair)?)
     }
 }
 

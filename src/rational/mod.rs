@@ -11,5 +11,6 @@ mod quotient;
 pub mod eval;
 pub mod arithmetic;
 pub mod derivative;
+pub mod operators;
 pub mod moebius;
 pub mod approximate;

@@ -20,11 +20,12 @@ use crate::tensor::along::Direction;
 impl<T: Scalar, C: Coeff<T>> Rational<Interval, T, C> {
     /// The same curve over `[start, end]`, its parameter changed by the Moebius map with the given ratio.
     ///
-    /// At the start the speed is multiplied by `ratio` times that of the affine map, at the end divided by it. The
-    /// result is clamped, a periodic spline opened.
+    /// Of the speed that the affine map onto `[start, end]` would give, the curve starts with `ratio` times as much and ends
+    /// with a `ratio`-th. The result is clamped, a periodic spline opened.
     ///
     /// # Errors
-    /// [`Error::EmptyDomain`]; [`Error::Ratio`] unless the ratio is positive and finite.
+    /// [`Error::EmptyDomain`]; [`Error::Ratio`] unless the ratio is positive and finite; in `f64` those of
+    /// [`SplineSpace::new`] if rounding makes distinct knots coincide, and [`Error::NotFinite`] on overflow.
     ///
     /// # Examples
     /// ```
@@ -37,7 +38,8 @@ impl<T: Scalar, C: Coeff<T>> Rational<Interval, T, C> {
     /// # Ok::<(), symspline::Error>(())
     /// ```
     pub fn moebius(&self, start: &T, end: &T, ratio: &T) -> Result<Self> {
-        self.through(|lifted| projectively(lifted, start, end, ratio))
+        // Positive factors: the denominator stays positive.
+        Self::known(projectively(self.lifted(), start, end, ratio)?)
     }
 }
 
@@ -47,7 +49,7 @@ impl<T: Scalar, C: Coeff<T>> Rational<Rectangle, T, C> {
     /// # Errors
     /// [`Error::EmptyDomain`], [`Error::Ratio`].
     pub fn moebius(&self, direction: Direction, start: &T, end: &T, ratio: &T) -> Result<Self> {
-        self.through(|lifted| lifted.along(direction, |rows| projectively(rows, start, end, ratio)))
+        Self::known(self.lifted().along(direction, |rows| projectively(rows, start, end, ratio))?)
     }
 }
 

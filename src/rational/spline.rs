@@ -101,6 +101,12 @@ impl<D: Domain<T>, T: Scalar, C: Coeff<T>> Rational<D, T, C> {
         Ok(Self { lifted: D::map_coeffs(spline, lift)? })
     }
 
+    /// The rational spline that `lifted` is, whose denominator is positive for a reason; over floating point that is seen to,
+    /// since it may vanish by rounding.
+    pub(crate) fn known(lifted: D::Spline<Weighted<T, C>>) -> Result<Self> {
+        if T::EXACT { Ok(Self { lifted }) } else { Self::from_lifted(lifted) }
+    }
+
     /// The rational spline that is `lifted`, if all weights are positive.
     pub(crate) fn weighing(lifted: D::Spline<Weighted<T, C>>) -> Result<Self> {
         match D::coeffs(&lifted).iter().enumerate().find(|(_, c)| c.weight <= T::zero()) {

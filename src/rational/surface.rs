@@ -57,7 +57,7 @@ impl<T: Scalar, C: Coeff<T>> Rational<Rectangle, T, C> {
     /// # Ok::<(), symspline::Error>(())
     /// ```
     pub fn isocurve(&self, direction: Direction, x: &T) -> Result<Rational<Interval, T, C>> {
-        Rational::from_lifted(self.lifted().isocurve(direction, x)?)
+        Rational::known(self.lifted().isocurve(direction, x)?)
     }
 
     /// The same surface over another field, as [`TensorSpline::map_scalars`].

@@ -14,9 +14,10 @@ mod tuning;
 mod closed;
 mod curvature;
 mod surface;
+mod rational;
 
 /// The categories tested here, with their numbers of cases.
-const TESTED: [(&str, usize); 19] = [
+const TESTED: [(&str, usize); 23] = [
     ("basis", 22),
     ("curve_ders", 3),
     ("hodograph", 3),
@@ -36,6 +37,10 @@ const TESTED: [(&str, usize); 19] = [
     ("curvature2d", 3),
     ("curvature3d", 3),
     ("surface_T", 4),
+    ("nurbs_ders", 6),
+    ("nurbs_basis_ders", 5),
+    ("nurbs_surface_ders", 2),
+    ("knot_insertion_rational", 1),
 ];
 
 /// The file holds what its header promises, and nothing that is not tested.
@@ -51,5 +56,5 @@ fn every_case_is_counted() {
     assert_eq!(ids.len(), tested.iter().map(|(_, count)| count).sum::<usize>());
     ids.sort_unstable();
     ids.dedup();
-    assert_eq!(ids.len(), 126, "distinct cases");
+    assert_eq!(ids.len(), 140, "distinct cases");
 }

@@ -6,6 +6,7 @@
 //! A case that fails is kept by proptest in `tests/proptest-regressions` and run first from then on.
 
 mod strategies;
+mod rational_strategies;
 mod oracle;
 
 mod basis;
@@ -39,6 +40,13 @@ mod curvature;
 mod fine_tune;
 mod hold;
 mod surface;
+mod rational;
+mod rational_arithmetic;
+mod rational_surface;
+mod moebius;
+mod poles;
+mod conics;
+mod rational_rounding;
 mod rounding;
 mod approximation;
 mod uneven;

@@ -196,7 +196,7 @@ pub fn point<const N: usize>() -> impl Strategy<Value = SVector<Q, N>> {
 }
 
 /// Coefficients for any space, now and then all equal.
-fn coeffs<C: Coeff<Q>>(one: impl Strategy<Value = C> + Clone) -> impl Strategy<Value = Vec<C>> {
+pub fn coeffs<C: Coeff<Q>>(one: impl Strategy<Value = C> + Clone) -> impl Strategy<Value = Vec<C>> {
     prop_oneof![12 => vec(one.clone(), MOST), 1 => one.prop_map(|c| vec![c; MOST])]
 }
 
