@@ -14,6 +14,9 @@ pub const MAX_ENTRIES: usize = 1 << 28;
 /// The largest number of coefficients that an approximation to a tolerance may grow to.
 pub const MAX_ADAPTED: usize = 1 << 16;
 
+/// How many coefficients branch and bound may make in halving patches.
+pub(crate) const MAX_HALVED: usize = 1 << 24;
+
 /// Refuses degrees beyond [`MAX_DEGREE`].
 pub(crate) fn check_degree(degree: usize) -> Result<()> {
     match degree {

@@ -2,7 +2,7 @@
 
 use crate::coeff::Coeff;
 use crate::error::Result;
-use crate::scalar::{Scalar, larger};
+use crate::scalar::{Scalar, larger_size};
 use std::ops::{Deref, DerefMut};
 
 /// A row of coefficients as one coefficient, added and scaled entry by entry.
@@ -63,7 +63,7 @@ impl<T: Scalar, C: Coeff<T>> Coeff<T> for Row<C> {
     }
 
     fn squared_size(&self) -> T {
-        self.iter().map(C::squared_size).fold(T::zero(), larger)
+        self.iter().map(C::squared_size).fold(T::zero(), larger_size)
     }
 
     fn same_shape(&self, other: &Self) -> bool {

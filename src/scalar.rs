@@ -74,8 +74,11 @@ pub trait Scalar:
 
     /// A number not below the square root of `self`, for certified bounds: where sizes are squared, errors are not.
     ///
-    /// Nothing is promised about how close it is, except over `f64` and [`Q`](crate::exact::Q): a few parts in `10^15`.
+    /// Of zero it is zero. Nothing else is promised about how close it is, except over `f64` and [`Q`](crate::exact::Q): a few parts in `10^15`.
     fn root_above(&self) -> Self {
+        if self.is_zero() {
+            return self.clone();
+        }
         // Newton's method from above stays above, in any ordered field.
         let half = Self::frac(1, 2);
         let step = |x: Self, _| if x.is_zero() { x } else { (self.clone() / &x + &x) * &half };
@@ -101,6 +104,11 @@ pub trait Real: Scalar {
 /// The larger of two.
 pub(crate) fn larger<X: PartialOrd>(x: X, y: X) -> X {
     if x < y { y } else { x }
+}
+
+/// The larger of two sizes, where what is not finite counts as the largest.
+pub(crate) fn larger_size<T: Scalar>(x: T, y: T) -> T {
+    if !x.is_finite() || y <= x { x } else { y }
 }
 
 impl Scalar for f64 {

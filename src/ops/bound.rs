@@ -18,7 +18,7 @@
 use crate::coeff::Coeff;
 use crate::error::{Error, Result};
 use crate::limits::check_dim;
-use crate::scalar::{Scalar, larger};
+use crate::scalar::{Scalar, larger, larger_size};
 use crate::spline::Spline;
 
 /// An approximation of a spline, a surface or a rational one, with a certified bound of the distance between the two.
@@ -143,7 +143,8 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
         // Raises, knots, pieces, halvings, and one for the difference itself.
         let steps = (high - low + 2 + halvings + 1) as i64;
         let roundings = T::int(8 * (high as i64 + 1) * steps);
-        (largest(self.coeffs()) + largest(other.coeffs())) * roundings * epsilon::<T>()
+        let share = roundings * epsilon::<T>();
+        largest(self.coeffs()) * &share + largest(other.coeffs()) * share
     }
 }
 
@@ -165,9 +166,10 @@ fn halved_bound<T: Scalar, C: Coeff<T>>(mut piece: Vec<C>, halvings: usize, floo
         left.push(piece[0].clone());
         for i in 1..rest {
             let (before, after) = piece.split_at_mut(i);
+            // Halved first, so that nothing overflows.
             let mean = &mut before[i - 1];
-            mean.add_scaled(&T::one(), &after[0]);
             mean.scale(&half);
+            mean.add_scaled(&half, &after[0]);
         }
     }
     let left = halved_bound(left, halvings - 1, floor);
@@ -175,9 +177,10 @@ fn halved_bound<T: Scalar, C: Coeff<T>>(mut piece: Vec<C>, halvings: usize, floo
 }
 
 /// A number not below the size of the largest of some coefficients. Over inexact fields it has room for its own
-/// rounding, and where squares could overflow or vanish the coefficients are scaled first.
+/// rounding, and where squares could overflow or vanish the coefficients are scaled first; it is not finite if they are
+/// not.
 pub(crate) fn largest<'a, T: Scalar, C: Coeff<T>>(coeffs: impl IntoIterator<Item = &'a C> + Clone) -> T {
-    let square = coeffs.clone().into_iter().map(C::squared_size).fold(T::zero(), larger);
+    let square = coeffs.clone().into_iter().map(C::squared_size).fold(T::zero(), larger_size);
     if T::EXACT {
         return square.root_above();
     }
@@ -188,18 +191,33 @@ pub(crate) fn largest<'a, T: Scalar, C: Coeff<T>>(coeffs: impl IntoIterator<Item
     if square > tiny && square < T::one() / tiny {
         return square.root_above() * slack;
     }
-    let most = coeffs.clone().into_iter().flat_map(C::components).map(T::magnitude).fold(T::zero(), larger);
+    let most =
+        coeffs.clone().into_iter().flat_map(C::components).map(T::magnitude).fold(T::zero(), larger_size);
     let inverse = T::one() / &most;
     if most.is_zero() || !inverse.is_finite() {
         return most * T::int(count as i64);
     }
-    let scaled = coeffs.into_iter().map(|c| c.scaled(&inverse).squared_size()).fold(T::zero(), larger);
+    let scaled = coeffs.into_iter().map(|c| c.scaled(&inverse).squared_size()).fold(T::zero(), larger_size);
     most * scaled.root_above() * slack
 }
 
 /// A number not below the size of a coefficient.
 pub(crate) fn size<T: Scalar, C: Coeff<T>>(c: &C) -> T {
     largest([c])
+}
+
+/// A number not below the sum of two bounds.
+pub(crate) fn sum_above<T: Scalar>(x: T, y: &T) -> T {
+    if T::EXACT || x.is_zero() || y.is_zero() {
+        return x + y;
+    }
+    (x + y) * (T::one() + T::int(2) * epsilon::<T>())
+}
+
+/// What a tolerance leaves when `used` of it is gone: added to `used` it is certainly not more.
+pub(crate) fn left_of<T: Scalar>(tolerance: &T, used: &T) -> T {
+    let left = tolerance.clone() - used;
+    if T::EXACT { left } else { left * (T::one() - T::int(8) * epsilon::<T>()) }
 }
 
 /// Twice the unit roundoff of inexact fields.
@@ -220,6 +238,6 @@ pub(crate) fn out_of_tolerance<T: Scalar>(bound: &T, tolerance: &T) -> Error {
 }
 
 /// A bound that did not overflow.
-fn finite<T: Scalar>(bound: T) -> Result<T> {
+pub(crate) fn finite<T: Scalar>(bound: T) -> Result<T> {
     if bound.is_finite() { Ok(bound) } else { Err(Error::NotFinite { what: "bound", index: 0 }) }
 }

@@ -48,7 +48,7 @@ impl<T: Scalar> DualFunctional<T> {
     /// The value on a function with these `derivatives` of order `0 ..= p` at the point.
     ///
     /// # Errors
-    /// [`Error::CoefficientCount`] unless there are `p + 1` derivatives.
+    /// [`Error::CoefficientCount`] unless there are `p + 1` derivatives; [`Error::NotFinite`] if the sum overflows.
     ///
     /// # Examples
     /// ```
@@ -63,13 +63,15 @@ impl<T: Scalar> DualFunctional<T> {
         if derivatives.len() != self.weights.len() {
             return Err(Error::CoefficientCount { expected: self.weights.len(), found: derivatives.len() });
         }
-        Ok(weigh(0, &self.weights, derivatives))
+        let value = weigh(0, &self.weights, derivatives);
+        if value.all_finite() { Ok(value) } else { Err(Error::NotFinite { what: "coefficient", index: 0 }) }
     }
 
     /// The value on a spline of any space.
     ///
     /// # Errors
-    /// [`Error::OutsideDomain`] if the point is not in the domain of `f`.
+    /// [`Error::OutsideDomain`] if the point is not in the domain of `f`; [`Error::NotFinite`] on overflow of derivatives, as
+    /// in very high degrees.
     ///
     /// # Examples
     /// ```
@@ -215,6 +217,14 @@ mod tests {
         let [left, right] = [1, 2].map(|i| space.dual_functional(i).unwrap());
         assert_eq!((left.point(), right.point()), (&1.0, &1.0));
         assert_eq!((left.of(&torn).unwrap(), right.of(&torn).unwrap()), (3.0, 5.0));
+    }
+
+    #[test]
+    fn derivatives_beyond_all_numbers_are_refused() {
+        let space = SplineSpace::bezier(512, 0.0, 1.0).unwrap();
+        let wild = Spline::new(space.clone(), (0..513).map(|i| f64::from(i % 7)).collect()).unwrap();
+        let lost = space.dual_functional(200).unwrap().of(&wild);
+        assert_eq!(lost, Err(Error::NotFinite { what: "coefficient", index: 0 }));
     }
 
     #[test]

@@ -8,6 +8,7 @@
 //! Patches have any number of directions: curves have one, surfaces two.
 
 use crate::error::{Error, Result};
+use crate::limits::MAX_HALVED;
 use crate::ops::patch::{Meeting, Patch};
 use crate::scalar::{Scalar, larger};
 use std::cmp::Ordering;
@@ -77,6 +78,7 @@ pub(crate) fn enclose<T: Scalar, const D: usize>(
 fn least<T: Scalar, const D: usize>(patches: Vec<Patch<T, D>>, accuracy: &T) -> Result<Extremum<T, [T; D]>> {
     let accuracy = larger(accuracy.clone(), noise(&patches));
     let lowest = |one: Meeting<T, D>, other: Meeting<T, D>| if other.value < one.value { other } else { one };
+    let most = HALVINGS.min(MAX_HALVED / patches.first().map_or(1, |patch| patch.coeffs.len()));
     let mut best = patches.iter().map(Patch::lowest_corner).reduce(lowest).expect("there is a patch");
     let mut open: BinaryHeap<Open<T, D>> = patches.into_iter().map(|patch| Open::new(patch, 0)).collect();
     for halvings in 0.. {
@@ -89,7 +91,7 @@ fn least<T: Scalar, const D: usize>(patches: Vec<Patch<T, D>>, accuracy: &T) -> 
         if depth == DEPTH {
             return Err(Error::BadTolerance { tolerance: accuracy.to_string() });
         }
-        if halvings == HALVINGS {
+        if halvings == most {
             break;
         }
         for half in patch.halves(depth) {
@@ -97,7 +99,7 @@ fn least<T: Scalar, const D: usize>(patches: Vec<Patch<T, D>>, accuracy: &T) -> 
             open.push(Open::new(half, depth + 1));
         }
     }
-    Err(Error::TooLarge { count: HALVINGS + 1, limit: HALVINGS })
+    Err(Error::TooLarge { count: most + 1, limit: most })
 }
 
 /// Differences below this are rounding.

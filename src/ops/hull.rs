@@ -3,7 +3,7 @@
 //! Points in the order of their coordinates are walked once from left to right and once back; whatever is not a left turn
 //! goes. Signs of areas are all it needs, so over an exact field it is exact.
 
-use crate::scalar::Scalar;
+use crate::scalar::{Scalar, larger};
 use crate::spline::Curve;
 use crate::vector::cross2;
 use nalgebra::SVector;
@@ -43,6 +43,12 @@ fn hull<T: Scalar>(points: &[SVector<T, 2>]) -> Vec<usize> {
     if sorted.len() < 3 {
         return sorted;
     }
+    // Products of the coordinates of a tiny or a huge polygon leave the range of floating point.
+    let size = points.iter().flatten().map(T::magnitude).fold(T::zero(), larger);
+    let unit = (0..6).fold(T::one(), |unit, _| unit * T::frac(1, 1 << 52));
+    let safe = T::EXACT || size.is_zero() || unit < size && size < T::one() / &unit;
+    let scaled = (!safe).then(|| points.iter().map(|point| point.map(|x| x / &size)).collect::<Vec<_>>());
+    let points = scaled.as_deref().unwrap_or(points);
     let turns_left = |i: usize, j: usize, k: usize| {
         let [to, on] = [(i, j), (j, k)].map(|(a, b)| [0, 1].map(|x| points[b][x].clone() - &points[a][x]));
         cross2(&to.into(), &on.into()) > T::zero()
@@ -79,6 +85,14 @@ mod tests {
         assert_eq!(hull(&[point; 3]).len(), 1);
         assert_eq!(hull(&[vector![2.0, 2.0], vector![0.0, 0.0], vector![1.0, 1.0]]), [1, 0]);
         assert_eq!(hull(&[vector![0.0, 2.0], vector![0.0, 0.0], vector![0.0, 1.0]]), [1, 0]);
+    }
+
+    #[test]
+    fn size_does_not_matter() {
+        for size in [1e-323, 1e-200, 1.0, 1e200, f64::MAX] {
+            let corners = [[-size, -size], [size, -size], [0.0, 0.0], [size, size], [-size, size]];
+            assert_eq!(hull(&corners.map(Into::into)), [0, 1, 3, 4], "{size:e}");
+        }
     }
 
     #[test]

@@ -269,6 +269,8 @@ impl<T: Scalar, C: Coeff<T>> PowerForm<T, C> {
 impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     /// The pieces by their derivatives at the left ends: coefficient `r` of a piece is `f^(r) / r!` there.
     ///
+    /// Over `f64` these overflow for high degrees on short spans: coefficients that are not finite are not refused here.
+    ///
     /// # Examples
     /// ```
     /// use symspline::{Function, SplineSpace};

@@ -58,6 +58,7 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     /// # Errors
     /// [`Error::DomainMismatch`]. To keep anything the target must be clamped ([`Error::NotClamped`]), have the degree for
     /// it ([`Error::DegreeTooLow`]) and coefficients for both ends ([`Error::CoefficientCount`]).
+    /// [`Error::DegreeTooHigh`] if both degrees add up to more than [`MAX_DEGREE`](crate::limits::MAX_DEGREE).
     /// [`Error::NotFinite`] on overflow; [`Error::Singular`] if in `f64` the spans differ too much.
     ///
     /// # Examples

@@ -13,9 +13,9 @@
 use crate::coeff::Coeff;
 use crate::error::Result;
 use crate::knots::KnotVector;
-use crate::ops::bound::{epsilon, largest, size};
+use crate::ops::bound::{epsilon, finite, largest, size, sum_above};
 use crate::ops::unblend::{Parts, lack, unblend, unblend_best};
-use crate::scalar::{Scalar, larger};
+use crate::scalar::{Scalar, larger_size};
 use crate::space::SplineSpace;
 use crate::spline::Spline;
 
@@ -247,10 +247,10 @@ impl<T: Scalar, C: Coeff<T>> Removal<T, C> {
             Limit::Forced => true,
             Limit::Exact => change.none,
             Limit::Within(tolerance) => {
-                let both = change.main.clone() + &change.rest;
+                let both = sum_above(change.main.clone(), &change.rest);
                 self.touched(change).all(|(j, main)| {
                     let added = if main { &both } else { &change.rest };
-                    self.bounds[self.place(j)].clone() + added <= *tolerance
+                    sum_above(self.bounds[self.place(j)].clone(), added) <= *tolerance
                 })
             }
         }
@@ -259,10 +259,11 @@ impl<T: Scalar, C: Coeff<T>> Removal<T, C> {
     /// Puts the solved coefficients in place and takes out the knot.
     fn accept(&mut self, change: &Change<T>) {
         if !(change.main.is_zero() && change.rest.is_zero()) {
-            let both = change.main.clone() + &change.rest;
+            let both = sum_above(change.main.clone(), &change.rest);
             for (j, main) in self.touched(change) {
                 let place = self.place(j);
-                self.bounds[place] += if main { &both } else { &change.rest };
+                let added = if main { &both } else { &change.rest };
+                self.bounds[place] = sum_above(self.bounds[place].clone(), added);
             }
         }
         let mut after = std::mem::take(&mut self.trial.after);
@@ -278,7 +279,7 @@ impl<T: Scalar, C: Coeff<T>> Removal<T, C> {
         }
         // The spans on both sides of the knot become one.
         let before = self.place(r as isize - 1);
-        let merged = larger(self.bounds[before].clone(), self.bounds[r].clone());
+        let merged = larger_size(self.bounds[before].clone(), self.bounds[r].clone());
         self.bounds[before] = merged;
         self.head -= 1;
         self.gap += 1;
@@ -298,7 +299,7 @@ impl<T: Scalar, C: Coeff<T>> Removal<T, C> {
     /// What is left, and the largest bound.
     pub(crate) fn finish(mut self) -> Result<(Spline<T, C>, T)> {
         self.rewind();
-        let bound = self.bounds.into_iter().fold(T::zero(), larger);
+        let bound = finite(self.bounds.into_iter().fold(T::zero(), larger_size))?;
         let space = match self.ring {
             None => SplineSpace::new(self.degree, self.knots)?,
             Some((end, _)) => {
@@ -325,7 +326,7 @@ impl<T: Scalar, C: Coeff<T>> Trial<T, C> {
             // A jump is shared out.
             let other = self.lack(dropped, 1 - dropped);
             none &= other.vanishes();
-            main = larger(main, size(&other));
+            main = larger_size(main, size(&other));
         }
         Change { first, dropped, main, rest: T::zero(), none }
     }

@@ -63,7 +63,7 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     /// rounding small. A removal takes a time that depends on the degree only, so the cost is linear in the number of
     /// coefficients, but for walking past them once a pass. Over an exact field tolerance zero gives the smallest space of
     /// this degree that holds the function. With a positive tolerance the result is no smallest one. Coefficients at
-    /// clamped ends stay.
+    /// clamped ends stay, but in degree 0.
     ///
     /// # Errors
     /// [`Error::BadTolerance`].
@@ -89,7 +89,8 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     ///
     /// # Errors
     /// [`Error::IndexOutOfRange`]; [`Error::NotRemovable`] for a knot at or beyond an end of the domain, or the last copy
-    /// of a seam; [`Error::TooFewKnots`] for a ring of fewer than `p + 2` coefficients.
+    /// of a seam; [`Error::TooFewKnots`] for a ring of fewer than `p + 2` coefficients;
+    /// [`Error::NotFinite`] on overflow.
     ///
     /// # Examples
     /// ```

@@ -62,3 +62,17 @@ fn check_patch<T: Scalar, const D: usize>(patch: Patch<T, D>, has_it: impl Fn(&T
     }
     Ok(())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::exact::Q;
+
+    #[test]
+    fn an_irrational_double_zero_is_undecided_soon() {
+        // (x² - 2)² on [1, 2].
+        let coeffs = [3, 0, -2, 0, 12].map(|c| Q::frac(c, 3));
+        let touching = Patch { degrees: [4], sides: [(Q::int(1), Q::int(2))], coeffs: coeffs.to_vec() };
+        assert_eq!(sign_of(vec![touching]), Err(Error::Undecided));
+    }
+}

@@ -7,14 +7,14 @@
 use crate::coeff::Coeff;
 use crate::error::{Error, Result};
 use crate::linalg::BandedSystem;
-use crate::ops::bound::{Approximation, epsilon, largest};
+use crate::ops::bound::{Approximation, epsilon, finite, largest, sum_above};
 use crate::ops::removal::Limit;
 use crate::scalar::Scalar;
 use crate::space::SplineSpace;
 use crate::spline::Spline;
 
 /// The small ring `f`, off by `bound` so far, without `times(knot, copies)` copies of every knot, as far as `limit`
-/// allows.
+/// allows. A knot whose system cannot be solved in the field stays, unless it is forced out.
 pub(crate) fn thin_tight<T: Scalar, C: Coeff<T>>(
     f: Spline<T, C>,
     bound: T,
@@ -25,8 +25,13 @@ pub(crate) fn thin_tight<T: Scalar, C: Coeff<T>>(
     for (knot, copies) in thin.spline.space().round() {
         let seam = usize::from(knot == *thin.spline.domain().0);
         for _ in 0..times(&knot, copies).min(copies - seam) {
-            let (spline, change) = without_one(&thin.spline, &knot)?;
-            let bound = thin.bound.clone() + &change;
+            let (spline, change) = match without_one(&thin.spline, &knot) {
+                Err(Error::Singular { .. } | Error::NotFinite { .. }) if !matches!(limit, Limit::Forced) => {
+                    break;
+                }
+                less => less?,
+            };
+            let bound = sum_above(thin.bound.clone(), &change);
             let fine = match limit {
                 Limit::Forced => true,
                 Limit::Exact => change.is_zero(),
@@ -65,6 +70,5 @@ fn without_one<T: Scalar, C: Coeff<T>>(f: &Spline<T, C>, knot: &T) -> Result<(Sp
     let rounding = T::int(16 * (f.degree() as i64 + 1))
         * epsilon::<T>()
         * (largest(f.coeffs()) + largest(coarser.coeffs()));
-    let change = change + rounding;
-    if change.is_finite() { Ok((coarser, change)) } else { Err(Error::NotFinite { what: "bound", index: 0 }) }
+    Ok((coarser, finite(change + rounding)?))
 }

@@ -10,10 +10,10 @@
 
 use crate::coeff::Coeff;
 use crate::error::{Error, Result};
-use crate::ops::bound::{Approximation, check_tolerance};
+use crate::ops::bound::{Approximation, check_tolerance, finite, largest, left_of};
 use crate::rational::domain::Domain;
 use crate::rational::spline::Rational;
-use crate::scalar::{Scalar, larger};
+use crate::scalar::Scalar;
 use crate::weighted::Weighted;
 
 impl<D: Domain<T>, T: Scalar, C: Coeff<T>> Rational<D, T, C> {
@@ -22,7 +22,7 @@ impl<D: Domain<T>, T: Scalar, C: Coeff<T>> Rational<D, T, C> {
     ///
     /// # Errors
     /// [`Error::BadTolerance`]; [`Error::Weight`] if a weight is not positive; those of `operator`;
-    /// [`Error::OutOfTolerance`] if its bound is above the tolerance it was given.
+    /// [`Error::OutOfTolerance`] if its bound is above the tolerance it was given; [`Error::NotFinite`] on overflow.
     ///
     /// # Examples
     /// ```
@@ -45,17 +45,23 @@ impl<D: Domain<T>, T: Scalar, C: Coeff<T>> Rational<D, T, C> {
         ) -> Result<Approximation<D::Spline<Weighted<T, C>>, T>>,
     ) -> Result<Approximation<Self, T>> {
         check_tolerance(tolerance)?;
-        let farthest = self.points()?.iter().map(C::squared_size).fold(T::zero(), larger);
-        let reach = (T::one() + farthest).root_above();
+        let homogeneous = |point: C| Weighted { point, weight: T::one() };
+        let points: Vec<Weighted<T, C>> = self.points()?.into_iter().map(homogeneous).collect();
+        let reach = finite(largest(&points))?;
         let smaller = |w: T, v: &T| if *v < w { v.clone() } else { w };
         let least = self.weights().skip(1).fold(D::coeffs(self.lifted())[0].weight.clone(), smaller);
-        let allowed = tolerance.clone() * &least / (reach.clone() + tolerance);
+        // Each quotient is at most one, so that nothing overflows.
+        let scale = if reach < *tolerance { tolerance } else { &reach };
+        let shares = reach.clone() / scale + tolerance.clone() / scale;
+        let allowed = left_of(&(tolerance.clone() / scale / shares * &least), &T::zero());
         let Approximation { spline, bound } = operator(self.lifted(), &allowed)?;
         let within = bound <= allowed;
         if !within {
             return Err(Error::OutOfTolerance { bound: bound.to_string(), tolerance: allowed.to_string() });
         }
-        let bound = bound.clone() * reach / (least - bound);
+        let bound = finite(bound.clone() / (least - &bound) * reach)?;
+        // Rounding up may not pass what is certain.
+        let bound = if bound < *tolerance { bound } else { tolerance.clone() };
         Ok(Approximation { spline: Self::from_lifted(spline)?, bound })
     }
 }

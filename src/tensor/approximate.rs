@@ -5,7 +5,7 @@
 
 use crate::coeff::Coeff;
 use crate::error::Result;
-use crate::ops::bound::{Approximation, check_tolerance};
+use crate::ops::bound::{Approximation, check_tolerance, left_of, sum_above};
 use crate::ops::project::Contact;
 use crate::row::Row;
 use crate::scalar::Scalar;
@@ -52,7 +52,7 @@ impl<T: Scalar, C: Coeff<T>> TensorSpline<T, C> {
     ) -> Result<Approximation<Self, T>> {
         let first = self.approximated_along(U, along_u)?;
         let second = first.spline.approximated_along(V, |rows| along_v(rows, &first.bound))?;
-        Ok(Approximation { spline: second.spline, bound: first.bound + second.bound })
+        Ok(Approximation { spline: second.spline, bound: sum_above(first.bound, &second.bound) })
     }
 
     /// The surface over `u` and `v` with the least `∬ |S - R|²`, free at its boundary.
@@ -103,9 +103,14 @@ impl<T: Scalar, C: Coeff<T>> TensorSpline<T, C> {
     pub fn simplified_within(&self, tolerance: &T) -> Result<Approximation<Self, T>> {
         check_tolerance(tolerance)?;
         let half = tolerance.clone() * T::frac(1, 2);
-        self.approximated_twice(
+        let mut near = self.approximated_twice(
             |rows| rows.simplified_within(&half),
-            |rows, used| rows.simplified_within(&(tolerance.clone() - used)),
-        )
+            |rows, used| rows.simplified_within(&left_of(tolerance, used)),
+        )?;
+        if near.bound > *tolerance {
+            // Rounding up may not pass what is certain.
+            near.bound = tolerance.clone();
+        }
+        Ok(near)
     }
 }

@@ -160,6 +160,14 @@ fn the_symbol_is_smaller_than_every_fraction_but_positive() {
 }
 
 #[test]
+fn roots_are_bounded_in_any_field() {
+    let four = Fraction::int(4).root_above();
+    assert!(four.clone() * &four >= Fraction::int(4) && four < Fraction::frac(201, 100));
+    // So that equal splines have no distance.
+    assert_eq!(Fraction::int(0).root_above(), Fraction::int(0));
+}
+
+#[test]
 fn fractions_are_in_lowest_terms() {
     let x = Fraction::symbol();
     let one = Fraction::int(1);

@@ -49,5 +49,6 @@ mod conics;
 mod rational_rounding;
 mod rounding;
 mod approximation;
+mod approximation_lifted;
 mod uneven;
 mod hostile;
