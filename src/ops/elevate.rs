@@ -67,6 +67,7 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     /// assert_eq!(line.elevated(1)?.coeffs(), [1.0, 2.5, 4.0]);
     /// # Ok::<(), symspline::Error>(())
     /// ```
+    #[doc(alias = "degree elevation")]
     pub fn elevated(&self, raise: usize) -> Result<Self> {
         self.space().check_elevation(raise)?;
         (0..raise).try_fold(self.clone(), |f, _| {

@@ -111,6 +111,7 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     /// assert_eq!(f.inserted(&[0.5])?.coeffs(), [0.0, 1.0, 1.0, 0.0]);
     /// # Ok::<(), symspline::Error>(())
     /// ```
+    #[doc(alias = "knot insertion")]
     pub fn inserted(&self, knots: &[T]) -> Result<Self> {
         self.embedded(&self.space().refined(knots)?)
     }

@@ -70,6 +70,8 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     /// assert!(line.bound >= Q::frac(1, 6));
     /// # Ok::<(), symspline::Error>(())
     /// ```
+    #[doc(alias = "least squares")]
+    #[doc(alias = "L2")]
     pub fn projected(&self, target: &SplineSpace<T>, contact: Contact) -> Result<Approximation<Self, T>> {
         let spline = self.projection(target, contact)?;
         let bound = self.distance_bound_halved(&spline, HALVINGS)?;

@@ -130,6 +130,7 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     /// assert_eq!(cube.degree_reduced_exactly(1).unwrap_err(), Error::NotReducible { degree: 2 });
     /// # Ok::<(), Error>(())
     /// ```
+    #[doc(alias = "degree reduction")]
     pub fn degree_reduced_exactly(&self, by: usize) -> Result<Self> {
         let lowered = self.lowered(by)?;
         if self.same_function(&lowered)? {
@@ -155,6 +156,7 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     /// assert!(back.bound < 1e-12);
     /// # Ok::<(), symspline::Error>(())
     /// ```
+    #[doc(alias = "degree reduction")]
     pub fn degree_lowered(&self, by: usize) -> Result<Approximation<Self, T>> {
         let spline = self.lowered(by)?;
         let bound = self.distance_bound(&spline)?;
@@ -201,6 +203,8 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     /// assert!(parabolas.bound < 0.15);
     /// # Ok::<(), symspline::Error>(())
     /// ```
+    #[doc(alias = "degree reduction")]
+    #[doc(alias = "least squares")]
     pub fn degree_reduced(
         &self,
         by: usize,

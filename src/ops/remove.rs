@@ -41,6 +41,7 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     /// assert_eq!((back.spline, back.bound), (f, Q::int(0)));
     /// # Ok::<(), symspline::Error>(())
     /// ```
+    #[doc(alias = "knot removal")]
     pub fn removed(&self, knot: &T, times: usize, tolerance: &T) -> Result<Approximation<Self, T>> {
         check_tolerance(tolerance)?;
         let mut removal = Removal::new(self);
@@ -76,6 +77,8 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     /// assert_eq!(fine.without_spare_knots(&Q::int(0))?.spline, f);
     /// # Ok::<(), symspline::Error>(())
     /// ```
+    #[doc(alias = "knot removal")]
+    #[doc(alias = "data reduction")]
     pub fn without_spare_knots(&self, tolerance: &T) -> Result<Approximation<Self, T>> {
         check_tolerance(tolerance)?;
         self.thinned(&Limit::Within(tolerance.clone()), |_, copies| copies)
