@@ -129,9 +129,10 @@ impl Scalar for f64 {
         self.abs()
     }
 
+    #[inline]
     fn root_above(&self) -> Self {
-        let root = self.sqrt();
-        if root == 0.0 { root } else { root.next_up() }
+        // Both roundings together are less than this.
+        self.sqrt() * (1.0 + 2.0 * Self::EPSILON)
     }
 }
 

@@ -179,6 +179,7 @@ fn halved_bound<T: Scalar, C: Coeff<T>>(mut piece: Vec<C>, halvings: usize, floo
 /// A number not below the size of the largest of some coefficients. Over inexact fields it has room for its own
 /// rounding, and where squares could overflow or vanish the coefficients are scaled first; it is not finite if they are
 /// not.
+#[inline]
 pub(crate) fn largest<'a, T: Scalar, C: Coeff<T>>(coeffs: impl IntoIterator<Item = &'a C> + Clone) -> T {
     let square = coeffs.clone().into_iter().map(C::squared_size).fold(T::zero(), larger_size);
     if T::EXACT {

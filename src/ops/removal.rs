@@ -18,6 +18,7 @@ use crate::ops::unblend::{Parts, lack, unblend, unblend_best};
 use crate::scalar::{Scalar, larger_size};
 use crate::space::SplineSpace;
 use crate::spline::Spline;
+use std::ops::Range;
 
 /// Which changes are fine.
 #[derive(Clone, Debug)]
@@ -198,14 +199,25 @@ impl<T: Scalar, C: Coeff<T>> Removal<T, C> {
         let u = self.knots[self.head - 1].clone();
         trial.blends.clear();
         trial.blends.push((T::one(), T::zero()));
-        trial.blends.extend((first + 1..=r - s).map(|i| {
-            let (left, right) = (u.clone() - self.knot(i), self.knot(i + p + 1) - &u);
+        let blend = |from: &T, to: &T| {
+            let (left, right) = (u.clone() - from, to.clone() - &u);
             let share = T::one() / (left.clone() + &right);
             (left * &share, right * share)
-        }));
+        };
+        if self.ring.is_none() {
+            // The supports begin in front of the gap and end behind it.
+            let front = &self.knots[self.head - 1 - self.degree..self.head - copies];
+            let supports = front.iter().zip(&self.knots[self.head + self.gap..]);
+            trial.blends.extend(supports.map(|(from, to)| blend(from, to)));
+        } else {
+            trial.blends.extend((first + 1..=r - s).map(|i| blend(&self.knot(i), &self.knot(i + p + 1))));
+        }
         trial.blends.push((T::zero(), T::one()));
         trial.before.clear();
-        trial.before.extend((first..=r - s + 1).map(|i| self.coeffs[self.place(i)].clone()));
+        match usize::try_from(first) {
+            Ok(first) => trial.before.extend_from_slice(&self.coeffs[first..=self.head - copies]),
+            Err(_) => trial.before.extend((first..=r - s + 1).map(|i| self.coeffs[self.place(i)].clone())),
+        }
         trial.after.clone_from(&trial.before);
         let last = trial.blends.len() - 1;
         let dropped = match keep {
@@ -221,25 +233,22 @@ impl<T: Scalar, C: Coeff<T>> Removal<T, C> {
         change
     }
 
-    /// The spans whose bounds a change adds to, and what it adds: to those of the dropped equation, and to all.
-    fn touched(&self, change: &Change<T>) -> impl Iterator<Item = (isize, bool)> + use<T, C> {
+    /// The spans whose bounds a change adds to: those of the dropped equation, and all.
+    fn touched(&self, change: &Change<T>) -> [Range<isize>; 2] {
         let p = self.degree as isize;
-        let (first, last) = (change.first, change.first + self.trial.blends.len() as isize - 1);
+        let (first, end) = (change.first, change.first + self.trial.blends.len() as isize + p);
         let main = change.first + change.dropped as isize;
         // A jump changes the spans on both sides.
-        let main = if last - first == 1 { first..=last + p } else { main..=main + p };
-        let inside = match &self.ring {
-            Some(_) => isize::MIN..isize::MAX,
-            None => p..(self.count() - self.degree - 1) as isize,
-        };
+        let main = if end - first == p + 2 { first..end } else { main..main + p + 1 };
         let count = self.count() as isize;
         let all = match &self.ring {
             _ if T::EXACT => main.clone(),
             // Once round, so that no span counts twice.
-            Some(_) if last + p - first >= count => *main.start()..=main.start() + count - 1,
-            _ => first..=last + p,
+            Some(_) if end - first > count => main.start..main.start + count,
+            _ => first..end,
         };
-        all.filter(move |j| inside.contains(j)).map(move |j| (j, main.contains(&j)))
+        let inside = if self.ring.is_some() { isize::MIN..isize::MAX } else { p..count - p - 1 };
+        [main, all].map(|spans| spans.start.max(inside.start)..spans.end.min(inside.end))
     }
 
     fn allows(&self, change: &Change<T>, limit: &Limit<T>) -> bool {
@@ -248,8 +257,9 @@ impl<T: Scalar, C: Coeff<T>> Removal<T, C> {
             Limit::Exact => change.none,
             Limit::Within(tolerance) => {
                 let both = sum_above(change.main.clone(), &change.rest);
-                self.touched(change).all(|(j, main)| {
-                    let added = if main { &both } else { &change.rest };
+                let [main, mut all] = self.touched(change);
+                all.all(|j| {
+                    let added = if main.contains(&j) { &both } else { &change.rest };
                     sum_above(self.bounds[self.place(j)].clone(), added) <= *tolerance
                 })
             }
@@ -260,22 +270,27 @@ impl<T: Scalar, C: Coeff<T>> Removal<T, C> {
     fn accept(&mut self, change: &Change<T>) {
         if !(change.main.is_zero() && change.rest.is_zero()) {
             let both = sum_above(change.main.clone(), &change.rest);
-            for (j, main) in self.touched(change) {
+            let [main, all] = self.touched(change);
+            for j in all {
                 let place = self.place(j);
-                let added = if main { &both } else { &change.rest };
+                let added = if main.contains(&j) { &both } else { &change.rest };
                 self.bounds[place] = sum_above(self.bounds[place].clone(), added);
             }
         }
-        let mut after = std::mem::take(&mut self.trial.after);
-        for (i, c) in (change.first..).zip(after.drain(..)) {
-            let place = self.place(i);
-            self.coeffs[place] = c;
-        }
-        self.trial.after = after;
-        let (r, dropped) = (self.head - 1, change.first + change.dropped as isize);
-        for i in dropped..r as isize {
-            let (to, from) = (self.place(i), self.place(i + 1));
-            self.coeffs.swap(to, from);
+        let r = self.head - 1;
+        if let Ok(first) = usize::try_from(change.first) {
+            let solved = &mut self.trial.after;
+            self.coeffs[first..first + solved.len()].swap_with_slice(solved);
+            self.coeffs[first + change.dropped..=r].rotate_left(1);
+        } else {
+            for k in 0..self.trial.after.len() {
+                let place = self.place(change.first + k as isize);
+                std::mem::swap(&mut self.coeffs[place], &mut self.trial.after[k]);
+            }
+            for i in change.first + change.dropped as isize..r as isize {
+                let (to, from) = (self.place(i), self.place(i + 1));
+                self.coeffs.swap(to, from);
+            }
         }
         // The spans on both sides of the knot become one.
         let before = self.place(r as isize - 1);
@@ -341,9 +356,9 @@ impl<T: Scalar, C: Coeff<T>> Trial<T, C> {
             self.before[i] = self.lack(dropped, i);
             change.none &= self.before[i].vanishes();
         }
-        let but_dropped = |range: std::ops::Range<usize>| range.filter(move |&i| i != dropped);
-        let lacks = largest(but_dropped(1..n).map(|i| &self.before[i]));
-        let solved = largest(but_dropped(0..n + 1).map(|i| &self.after[i]));
+        // What the dropped equation lacks counts apart, and its coefficient does no harm in the other list.
+        self.before[dropped] = self.before[dropped].zero_like();
+        let (lacks, solved) = (largest(&self.before[1..n.max(1)]), largest(&self.after));
         change.rest = lacks + solved * T::int(8) * epsilon::<T>();
     }
 }
