@@ -49,11 +49,16 @@ pub trait Coeff<T: Scalar>: Clone + PartialEq + std::fmt::Debug + Send + Sync + 
         Some(sum)
     }
 
+    /// The sum `self + weight * other`.
+    fn plus_scaled(&self, weight: &T, other: &Self) -> Self {
+        let mut sum = self.clone();
+        sum.add_scaled(weight, other);
+        sum
+    }
+
     /// The difference `self - other`.
     fn minus(&self, other: &Self) -> Self {
-        let mut difference = self.clone();
-        difference.add_scaled(&-T::one(), other);
-        difference
+        self.plus_scaled(&-T::one(), other)
     }
 
     /// The multiple `weight * self`.

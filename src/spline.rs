@@ -223,6 +223,11 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
         weigh(k + 1 - ORDER, &weights, &self.coeffs)
     }
 
+    /// The spline over the same space with every coefficient replaced.
+    pub(crate) fn map_coeffs<D: Coeff<T>>(&self, f: impl Fn(&C) -> D) -> Result<Spline<T, D>> {
+        Spline::new(self.space.clone(), self.coeffs.iter().map(f).collect())
+    }
+
     /// The same spline over another field: `knot` converts knots, `component` the scalars of the coefficients.
     ///
     /// # Errors

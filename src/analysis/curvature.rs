@@ -8,7 +8,7 @@ use crate::coeff::Coeff;
 use crate::error::{Error, Result};
 use crate::scalar::Real;
 use crate::spline::{Curve, Spline};
-use crate::vector::{cross2, cross3, length, unit};
+use crate::vector::{cross2, cross3, dot, length, unit};
 use nalgebra::SVector;
 
 /// Points whose curves have a curvature: those of the plane and of space.
@@ -101,11 +101,8 @@ impl<T: Real, const N: usize> Curve<T, N> {
             let (tangent, speed) =
                 unit(&derivatives[1]).ok_or_else(|| Error::Stationary { parameter: x.to_string() })?;
             // The part of C'' across the tangent, over the squared speed, points inwards with length κ.
-            let along = T::dot(tangent.iter().zip(derivatives[2].iter()));
-            let mut across = derivatives[2].clone();
-            across.add_scaled(&-along, &tangent);
-            let mut tip = derivatives[0].clone();
-            tip.add_scaled(&-(scale.clone() / &speed / speed), &across);
+            let across = derivatives[2].plus_scaled(&-dot(&tangent, &derivatives[2]), &tangent);
+            let tip = derivatives[0].plus_scaled(&-(scale.clone() / &speed / speed), &across);
             if !tip.all_finite() {
                 return Err(Error::NotFinite { what: "tooth", index: 0 });
             }

@@ -81,12 +81,7 @@ pub fn ellipse<T: Scalar, const N: usize>(
     // The corners of the square around the circle and the middles of its sides.
     const PLACES: [(i64, i64); 9] =
         [(1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0), (-1, -1), (0, -1), (1, -1), (1, 0)];
-    let point = |(x, y): (i64, i64)| {
-        let mut point = centre.clone();
-        point.add_scaled(&T::int(x), a);
-        point.add_scaled(&T::int(y), b);
-        point
-    };
+    let point = |(x, y): (i64, i64)| centre.plus_scaled(&T::int(x), a).plus_scaled(&T::int(y), b);
     let quarters = [0, 1, 1, 2, 2, 3, 3, 4].map(|i| T::frac(i, 4));
     let weights = [1, 1, 2, 1, 1, 1, 2, 1, 1].map(T::int);
     NurbsCurve::new(SplineSpace::clamped(2, quarters)?, PLACES.map(point).to_vec(), weights.to_vec())
@@ -218,9 +213,7 @@ fn arcs<T: Scalar>(
     let (mut points, mut weights) = (vec![from.clone()], vec![T::one()]);
     for pair in ends.windows(2) {
         let k = (square.clone() + dot(&pair[0], &pair[1])) / (T::int(2) * square);
-        let mut middle = pair[0].clone();
-        middle.add_scaled(&T::one(), &pair[1]);
-        middle.scale(&(T::one() / (T::int(2) * &k)));
+        let middle = (&pair[0] + &pair[1]).scaled(&(T::one() / (T::int(2) * &k)));
         points.extend([middle + centre, &pair[1] + centre]);
         weights.extend(weigh(&weights[weights.len() - 1], k));
     }

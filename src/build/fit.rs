@@ -124,10 +124,7 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
             return Err(Error::CoefficientCount { expected: parameters.len(), found: data.len() });
         }
         let values = self.eval(parameters)?;
-        let squared = |(value, datum): (&C, &C)| {
-            let residual = value.minus(datum);
-            T::dot(residual.components().zip(residual.components()))
-        };
+        let squared = |(value, datum): (&C, &C)| value.minus(datum).squared_size();
         let squares: Vec<T> = values.iter().zip(data).map(squared).collect();
         match squares.iter().position(|square| !square.is_finite()) {
             Some(index) => Err(Error::NotFinite { what: "residual", index }),

@@ -15,7 +15,7 @@ use crate::coeff::Coeff;
 use crate::error::{Error, Result};
 use crate::scalar::{Real, Scalar, larger};
 use crate::spline::{Curve, Function, Spline};
-use crate::vector::{cross3, unit};
+use crate::vector::{cross3, dot, unit};
 use nalgebra::{SVector, vector};
 
 /// What stays in place at both ends.
@@ -64,8 +64,8 @@ impl<T: Scalar> Turnable<T> for SVector<T, 2> {
             return None;
         }
         let [from, to] = [from, to].map(|v| v.map(|x| x / &size));
-        let square = T::dot(from.iter().zip(from.iter()));
-        let re = T::dot(to.iter().zip(from.iter())) / &square;
+        let square = dot(&from, &from);
+        let re = dot(&to, &from) / &square;
         let im = (to[1].clone() * &from[0] - to[0].clone() * &from[1]) / square;
         Some(move |v: &Self| {
             let [x, y] = [&v[0], &v[1]];
@@ -94,9 +94,7 @@ impl<T: Real> Turnable<T> for SVector<T, 3> {
 
 /// The mirror image of `v` in the plane through the origin across the unit vector `normal`.
 fn reflected<T: Real>(v: &SVector<T, 3>, normal: &SVector<T, 3>) -> SVector<T, 3> {
-    let mut image = v.clone();
-    image.add_scaled(&(T::int(-2) * T::dot(v.iter().zip(normal.iter()))), normal);
-    image
+    v.plus_scaled(&(T::int(-2) * dot(v, normal)), normal)
 }
 
 /// A unit vector across `v`.

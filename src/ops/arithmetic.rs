@@ -58,11 +58,7 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     /// ```
     pub fn plus_scaled(&self, weight: &T, other: &Self) -> Result<Self> {
         check_pair(&self.coeffs()[0], &other.coeffs()[0])?;
-        self.paired_by(other, |c, d| {
-            let mut sum = c.clone();
-            sum.add_scaled(weight, d);
-            sum
-        })
+        self.paired_by(other, |c, d| c.plus_scaled(weight, d))
     }
 
     /// Coefficients paired in the union of the spaces.
@@ -88,7 +84,7 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     /// # Ok::<(), symspline::Error>(())
     /// ```
     pub fn scaled(&self, factor: &T) -> Result<Self> {
-        Spline::new(self.space().clone(), self.coeffs().iter().map(|c| c.scaled(factor)).collect())
+        self.map_coeffs(|c| c.scaled(factor))
     }
 
     /// The spline plus a constant.
@@ -105,9 +101,7 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     /// ```
     pub fn translated(&self, by: &C) -> Result<Self> {
         check_pair(&self.coeffs()[0], by)?;
-        let mut coeffs = self.coeffs().to_vec();
-        coeffs.iter_mut().for_each(|c| c.add_scaled(&T::one(), by));
-        Spline::new(self.space().clone(), coeffs)
+        self.map_coeffs(|c| c.plus_scaled(&T::one(), by))
     }
 
     /// Whether both describe the same function, in whatever spaces.

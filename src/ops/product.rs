@@ -17,7 +17,7 @@ use crate::error::{Error, Result};
 use crate::scalar::Scalar;
 use crate::space::SplineSpace;
 use crate::spline::{Curve, Function, Spline};
-use crate::vector::{cross2, cross3};
+use crate::vector::{cross2, cross3, dot};
 use std::ops::Mul;
 
 impl<T: Scalar> SplineSpace<T> {
@@ -126,7 +126,7 @@ impl<T: Scalar, const N: usize> Curve<T, N> {
     /// # Ok::<(), symspline::Error>(())
     /// ```
     pub fn dot(&self, other: &Self) -> Result<Function<T>> {
-        self.product_by(other, |c, d| T::dot(c.iter().zip(d.iter())))
+        self.product_by(other, dot)
     }
 
     /// Coordinate `axis` of the curve as a scalar spline.
@@ -146,7 +146,7 @@ impl<T: Scalar, const N: usize> Curve<T, N> {
         if axis >= N {
             return Err(Error::IndexOutOfRange { index: axis, length: N });
         }
-        Spline::new(self.space().clone(), self.coeffs().iter().map(|c| c[axis].clone()).collect())
+        self.map_coeffs(|c| c[axis].clone())
     }
 }
 

@@ -49,10 +49,9 @@ impl<D: Domain<T>, T: Scalar, C: Coeff<T>> Rational<D, T, C> {
     /// As [`sum`](Self::sum).
     pub fn plus_scaled(&self, factor: &T, other: &Self) -> Result<Self> {
         if self.denominator()? == other.denominator()? {
-            let sum = |a: &Weighted<T, C>, b: &Weighted<T, C>| {
-                let mut point = a.point.clone();
-                point.add_scaled(factor, &b.point);
-                Weighted { point, weight: a.weight.clone() }
+            let sum = |a: &Weighted<T, C>, b: &Weighted<T, C>| Weighted {
+                point: a.point.plus_scaled(factor, &b.point),
+                weight: a.weight.clone(),
             };
             return Self::known(D::paired(self.lifted(), other.lifted(), sum)?);
         }
@@ -79,12 +78,11 @@ impl<D: Domain<T>, T: Scalar, C: Coeff<T>> Rational<D, T, C> {
     /// # Errors
     /// [`NotFinite`](crate::Error::NotFinite).
     pub fn translated(&self, by: &C) -> Result<Self> {
-        let lifted = D::map_coeffs(self.lifted(), |c| {
-            let mut point = c.point.clone();
-            point.add_scaled(&c.weight, by);
-            Weighted { point, weight: c.weight.clone() }
-        });
-        Self::known(lifted?)
+        let moved = |c: &Weighted<T, C>| Weighted {
+            point: c.point.plus_scaled(&c.weight, by),
+            weight: c.weight.clone(),
+        };
+        Self::known(D::map_coeffs(self.lifted(), moved)?)
     }
 
     /// Whether both describe the same function. Over `f64` rounding makes that rare.

@@ -78,7 +78,7 @@ impl<T: Scalar> Domain<T> for Interval {
         spline: &Spline<T, C>,
         f: impl Fn(&C) -> D,
     ) -> Result<Spline<T, D>> {
-        Spline::new(spline.space().clone(), spline.coeffs().iter().map(f).collect())
+        spline.map_coeffs(f)
     }
 
     fn product<A: Coeff<T>, B: Coeff<T>, C: Coeff<T>>(

@@ -40,11 +40,7 @@ impl<T: Scalar, C: Coeff<T>> TensorSpline<T, C> {
     /// ```
     pub fn plus_scaled(&self, weight: &T, other: &Self) -> Result<Self> {
         check_pair(&self.coeffs()[0], &other.coeffs()[0])?;
-        self.paired_by(other, |c, d| {
-            let mut sum = c.clone();
-            sum.add_scaled(weight, d);
-            sum
-        })
+        self.paired_by(other, |c, d| c.plus_scaled(weight, d))
     }
 
     /// Coefficients paired in the unions of the spaces.
@@ -72,11 +68,7 @@ impl<T: Scalar, C: Coeff<T>> TensorSpline<T, C> {
     /// [`NotFinite`](crate::Error::NotFinite).
     pub fn translated(&self, by: &C) -> Result<Self> {
         check_pair(&self.coeffs()[0], by)?;
-        self.map_coeffs(|c| {
-            let mut moved = c.clone();
-            moved.add_scaled(&T::one(), by);
-            moved
-        })
+        self.map_coeffs(|c| c.plus_scaled(&T::one(), by))
     }
 
     /// Whether both describe the same function. Over `f64` rounding makes that rare.

@@ -12,7 +12,7 @@ use crate::scalar::Scalar;
 use crate::spline::Spline;
 use crate::tensor::along::Direction;
 use crate::tensor::spline::{Surface, TensorSpline};
-use crate::vector::{cross2, cross3};
+use crate::vector::{cross2, cross3, dot};
 use std::ops::Mul;
 
 impl<T: Scalar, C: Coeff<T>> TensorSpline<T, C> {
@@ -94,7 +94,7 @@ impl<T: Scalar, const N: usize> Surface<T, N> {
     /// # Ok::<(), symspline::Error>(())
     /// ```
     pub fn dot(&self, other: &Self) -> Result<TensorSpline<T>> {
-        self.product_by(other, |c, d| T::dot(c.iter().zip(d.iter())))
+        self.product_by(other, dot)
     }
 
     /// Coordinate `axis` as a scalar surface.

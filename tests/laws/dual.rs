@@ -32,7 +32,7 @@ proptest! {
     }
 
     #[test]
-    fn dual_functionals_take_derivatives_of_anything(space in space(OPEN), coeffs in vec(number(), 9)) {
+    fn dual_functionals_take_derivatives_of_anything(space in space(OPEN), coeffs in vec(number(), 11)) {
         let p = space.degree();
         // The derivatives of a polynomial, and its coefficients by powers.
         let derivative = |c: Vec<Q>, _: usize| -> Vec<Q> {
@@ -190,7 +190,7 @@ proptest! {
     }
 
     #[test]
-    fn quasi_interpolation_reproduces_polynomials(space in space(OPEN), coeffs in vec(number(), 9)) {
+    fn quasi_interpolation_reproduces_polynomials(space in space(OPEN), coeffs in vec(number(), 11)) {
         let coeffs = &coeffs[..=space.degree()];
         let f = space.quasi_interpolant(|x| Ok(polynomial(coeffs, x)))?;
         for x in probes(&space) {

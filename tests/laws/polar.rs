@@ -19,7 +19,7 @@ fn arguments(space: &SplineSpace<Q>, raw: &[(Index, Q, u8)]) -> Vec<Q> {
 }
 
 fn raw_arguments() -> impl Strategy<Value = Vec<(Index, Q, u8)>> {
-    vec((any::<Index>(), number(), 0_u8..8), 8)
+    vec((any::<Index>(), number(), 0_u8..8), 10)
 }
 
 proptest! {
@@ -56,7 +56,7 @@ proptest! {
 
     #[test]
     fn the_polar_form_is_affine_in_each_argument(
-        f in function(ANY.of_degree(1, 8)),
+        f in function(ANY.of_degree(1, 10)),
         raw in raw_arguments(),
         (u, v, s) in (number(), number(), number()),
     ) {
@@ -95,7 +95,7 @@ proptest! {
     }
 
     #[test]
-    fn greville_abscissae_are_the_coefficients_of_x(space in space(OPEN.of_degree(1, 8))) {
+    fn greville_abscissae_are_the_coefficients_of_x(space in space(OPEN.of_degree(1, 10))) {
         let x = Function::new(space.clone(), space.greville())?;
         for at in probes(&space) {
             prop_assert_eq!(&x.at(&at)?, &at);

@@ -38,9 +38,9 @@ pub struct Kind {
     knots: usize,
 }
 
-/// Every space: of degree 0 to 8, with jumps, clamped or not, periodic.
+/// Every space: of degree 0 to 10, with jumps, clamped or not, periodic.
 pub const ANY: Kind =
-    Kind { shapes: &[Clamped, Clamped, Unclamped, Periodic], degrees: (0, 8), smooth: 0, knots: 4 };
+    Kind { shapes: &[Clamped, Clamped, Unclamped, Periodic], degrees: (0, 10), smooth: 0, knots: 4 };
 /// Spaces whose splines have a derivative.
 pub const SMOOTH: Kind = Kind { smooth: 1, ..ANY };
 /// Open spaces.
@@ -153,7 +153,7 @@ fn recipe(kind: Kind) -> impl Strategy<Value = Recipe> {
         2 => Just(Copies::Jump),
     ];
     let outer = prop_oneof![2 => Just(Q::int(0)), 5 => gap()];
-    (degree, select(kind.shapes), vec(copies, 6), vec(outer, 16))
+    (degree, select(kind.shapes), vec(copies, 6), vec(outer, 20))
         .prop_map(move |(degree, shape, copies, outer)| Recipe { kind, degree, shape, copies, outer })
 }
 

@@ -11,7 +11,7 @@ use symspline::{Direction, Q, Scalar};
 /// Spaces for products of three coordinates.
 const TINY: Kind = SIDE.few(1).of_degree(0, 2);
 const OPEN_TINY: Kind = OPEN.few(1).of_degree(0, 2);
-const HIGH: Kind = SIDE.few(1).of_degree(5, 8);
+const HIGH: Kind = SIDE.few(1).of_degree(5, 10);
 
 proptest! {
     #![proptest_config(cases(32))]
