@@ -9,7 +9,7 @@
 
 use crate::error::{Error, Result};
 use crate::limits::MAX_HALVED;
-use crate::ops::patch::{Meeting, Patch};
+use crate::ops::patch::{Meeting, Ordinate, Patch};
 use crate::scalar::{Scalar, larger};
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
@@ -58,15 +58,15 @@ impl<T, X> Enclosure<T, X> {
 /// # Errors
 /// [`Error::BadTolerance`] unless `accuracy` is positive and finite, and not infinitely small; [`Error::TooLarge`] if the
 /// extreme values are met in too many places to be separated.
-pub(crate) fn enclose<T: Scalar, const D: usize>(
-    patches: Vec<Patch<T, D>>,
+pub(crate) fn enclose<T: Scalar, C: Ordinate<T>, const D: usize>(
+    patches: Vec<Patch<T, D, C>>,
     accuracy: &T,
 ) -> Result<Enclosure<T, [T; D]>> {
     if !accuracy.is_finite() || *accuracy <= T::zero() {
         return Err(Error::BadTolerance { tolerance: accuracy.to_string() });
     }
-    let negative = |patch: &Patch<T, D>| Patch {
-        coeffs: patch.coeffs.iter().map(|c| -c.clone()).collect(),
+    let negative = |patch: &Patch<T, D, C>| Patch {
+        coeffs: patch.coeffs.iter().map(C::mirrored).collect(),
         ..patch.clone()
     };
     let mirrored = least(patches.iter().map(negative).collect(), accuracy)?;
@@ -75,12 +75,15 @@ pub(crate) fn enclose<T: Scalar, const D: usize>(
 }
 
 /// The least value of the function that consists of `patches`.
-fn least<T: Scalar, const D: usize>(patches: Vec<Patch<T, D>>, accuracy: &T) -> Result<Extremum<T, [T; D]>> {
+fn least<T: Scalar, C: Ordinate<T>, const D: usize>(
+    patches: Vec<Patch<T, D, C>>,
+    accuracy: &T,
+) -> Result<Extremum<T, [T; D]>> {
     let accuracy = larger(accuracy.clone(), noise(&patches));
     let lowest = |one: Meeting<T, D>, other: Meeting<T, D>| if other.value < one.value { other } else { one };
     let most = HALVINGS.min(MAX_HALVED / patches.first().map_or(1, |patch| patch.coeffs.len()));
     let mut best = patches.iter().map(Patch::lowest_corner).reduce(lowest).expect("there is a patch");
-    let mut open: BinaryHeap<Open<T, D>> = patches.into_iter().map(|patch| Open::new(patch, 0)).collect();
+    let mut open: BinaryHeap<Open<T, D, C>> = patches.into_iter().map(|patch| Open::new(patch, 0)).collect();
     for halvings in 0.. {
         let Open { bound, depth, patch } = open.pop().expect("halves are put back");
         if best.value.clone() - &bound <= accuracy {
@@ -103,49 +106,50 @@ fn least<T: Scalar, const D: usize>(patches: Vec<Patch<T, D>>, accuracy: &T) -> 
 }
 
 /// Differences below this are rounding.
-fn noise<T: Scalar, const D: usize>(patches: &[Patch<T, D>]) -> T {
+fn noise<T: Scalar, C: Ordinate<T>, const D: usize>(patches: &[Patch<T, D, C>]) -> T {
     if T::EXACT {
         return T::zero();
     }
-    let sizes = patches.iter().flat_map(|patch| &patch.coeffs).map(T::magnitude);
+    let sizes = patches.iter().flat_map(|patch| &patch.coeffs).map(|c| c.ordinate().magnitude());
     let steps = patches.iter().map(|patch| patch.degrees.iter().sum::<usize>() + 1).max().unwrap_or(1);
     sizes.fold(T::zero(), larger) * T::frac(steps as i64, 1 << 50)
 }
 
 /// A patch that may hold the least value; the one of the lowest bound is the greatest of the heap.
-struct Open<T, const D: usize> {
+struct Open<T, const D: usize, C> {
     bound: T,
     depth: usize,
-    patch: Patch<T, D>,
+    patch: Patch<T, D, C>,
 }
 
-impl<T: Scalar, const D: usize> Open<T, D> {
-    fn new(patch: Patch<T, D>, depth: usize) -> Self {
-        let lowest = patch.coeffs.iter().reduce(|low, c| if c < low { c } else { low });
-        let bound = lowest.expect("a patch has a coefficient").clone();
+impl<T: Scalar, const D: usize, C: Ordinate<T>> Open<T, D, C> {
+    fn new(patch: Patch<T, D, C>, depth: usize) -> Self {
+        let ordinates = patch.coeffs.iter().map(C::ordinate);
+        let lowest = ordinates.reduce(|low, c| if c < low { c } else { low });
+        let bound = lowest.expect("a patch has a coefficient");
         Self { bound, depth, patch }
     }
 }
 
-impl<T: Scalar, const D: usize> Ord for Open<T, D> {
+impl<T: Scalar, const D: usize, C> Ord for Open<T, D, C> {
     fn cmp(&self, other: &Self) -> Ordering {
         other.bound.partial_cmp(&self.bound).expect("finite coefficients are ordered")
     }
 }
 
-impl<T: Scalar, const D: usize> PartialOrd for Open<T, D> {
+impl<T: Scalar, const D: usize, C> PartialOrd for Open<T, D, C> {
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         Some(self.cmp(other))
     }
 }
 
-impl<T: Scalar, const D: usize> PartialEq for Open<T, D> {
+impl<T: Scalar, const D: usize, C> PartialEq for Open<T, D, C> {
     fn eq(&self, other: &Self) -> bool {
         self.bound == other.bound
     }
 }
 
-impl<T: Scalar, const D: usize> Eq for Open<T, D> {}
+impl<T: Scalar, const D: usize, C> Eq for Open<T, D, C> {}
 
 #[cfg(test)]
 mod tests {

@@ -1,18 +1,50 @@
 //! Polynomials on boxes of any number of directions, by their Bernstein coefficients: curves have one, surfaces two.
 
+use crate::coeff::Coeff;
 use crate::error::Result;
 use crate::scalar::Scalar;
-use crate::spline::Function;
+use crate::spline::Spline;
+use crate::weighted::Weighted;
+
+/// Coefficients that stand for a number each.
+pub(crate) trait Ordinate<T: Scalar>: Coeff<T> {
+    /// The number.
+    fn ordinate(&self) -> T;
+
+    /// The coefficient that stands for its negative.
+    fn mirrored(&self) -> Self;
+}
+
+impl<T: Scalar> Ordinate<T> for T {
+    fn ordinate(&self) -> T {
+        self.clone()
+    }
+
+    fn mirrored(&self) -> T {
+        -self.clone()
+    }
+}
+
+/// With positive weights: values of the quotient lie between those of its coefficients.
+impl<T: Scalar> Ordinate<T> for Weighted<T> {
+    fn ordinate(&self) -> T {
+        self.point.clone() / &self.weight
+    }
+
+    fn mirrored(&self) -> Self {
+        Self { point: -self.point.clone(), weight: self.weight.clone() }
+    }
+}
 
 /// A polynomial on a box of `D` directions, by its Bernstein coefficients, the last direction running fastest.
 #[derive(Clone, Debug)]
-pub(crate) struct Patch<T, const D: usize> {
+pub(crate) struct Patch<T, const D: usize, C = T> {
     /// The degree in each direction.
     pub degrees: [usize; D],
     /// From where to where in each direction.
     pub sides: [(T, T); D],
     /// `Π (degree + 1)` coefficients.
-    pub coeffs: Vec<T>,
+    pub coeffs: Vec<C>,
 }
 
 /// A value and where it is met.
@@ -21,25 +53,25 @@ pub(crate) struct Meeting<T, const D: usize> {
     pub parameter: [T; D],
 }
 
-impl<T: Scalar, const D: usize> Patch<T, D> {
+impl<T: Scalar, const D: usize, C: Ordinate<T>> Patch<T, D, C> {
     /// The least value at a corner.
     pub(crate) fn lowest_corner(&self) -> Meeting<T, D> {
-        let lower =
-            |one: usize, other: usize| if self.corner(other) < self.corner(one) { other } else { one };
-        let corner = (0..1 << D).fold(0, lower);
+        let lower = |low: (usize, T), other: (usize, T)| if other.1 < low.1 { other } else { low };
+        let values = self.corners().map(C::ordinate).enumerate();
+        let (corner, value) = values.reduce(lower).expect("a box has a corner");
         let place = |d: usize| {
             let (a, b) = &self.sides[d];
             if is_far(corner, d) { b.clone() } else { a.clone() }
         };
-        Meeting { value: self.corner(corner).clone(), parameter: std::array::from_fn(place) }
+        Meeting { value, parameter: std::array::from_fn(place) }
     }
 
-    /// The values at the corners.
-    pub(crate) fn corners(&self) -> impl Iterator<Item = &T> {
+    /// The coefficients at the corners, which stand for values.
+    pub(crate) fn corners(&self) -> impl Iterator<Item = &C> {
         (0..1 << D).map(|corner| self.corner(corner))
     }
 
-    fn corner(&self, corner: usize) -> &T {
+    fn corner(&self, corner: usize) -> &C {
         let end = |d: usize| if is_far(corner, d) { self.degrees[d] } else { 0 };
         &self.coeffs[(0..D).fold(0, |index, d| index * (self.degrees[d] + 1) + end(d))]
     }
@@ -52,7 +84,7 @@ impl<T: Scalar, const D: usize> Patch<T, D> {
         let stride: usize = self.degrees[axis + 1..].iter().map(|q| q + 1).product();
         let (mut left, mut right) = (self.clone(), self);
         let half = T::frac(1, 2);
-        let middle = |a: &T, b: &T| a.clone() * &half + b.clone() * &half;
+        let middle = |a: &C, b: &C| a.scaled(&half).plus_scaled(&half, b);
         let starts = (0..left.coeffs.len()).filter(|i| (i / stride).is_multiple_of(p + 1));
         for start in starts {
             let c = |i: usize| start + i * stride;
@@ -64,7 +96,7 @@ impl<T: Scalar, const D: usize> Patch<T, D> {
             }
         }
         let (a, b) = &left.sides[axis];
-        let cut = middle(a, b);
+        let cut = a.clone() * &half + b.clone() * &half;
         left.sides[axis].1 = cut.clone();
         right.sides[axis].0 = cut;
         [left, right]
@@ -76,13 +108,13 @@ fn is_far(corner: usize, d: usize) -> bool {
     corner >> d & 1 == 1
 }
 
-impl<T: Scalar> Function<T> {
+impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     /// The pieces.
-    pub(crate) fn patches(&self) -> Result<Vec<Patch<T, 1>>> {
+    pub(crate) fn patches(&self) -> Result<Vec<Patch<T, 1, C>>> {
         let p = self.degree();
         let pieces = self.embedded(&self.space().pieces(p)?)?;
         let breaks = self.space().breaks();
-        let patch = |(ends, coeffs): (&[(T, usize)], &[T])| Patch {
+        let patch = |(ends, coeffs): (&[(T, usize)], &[C])| Patch {
             degrees: [p],
             sides: [(ends[0].0.clone(), ends[1].0.clone())],
             coeffs: coeffs.to_vec(),

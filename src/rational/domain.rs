@@ -2,10 +2,12 @@
 
 use crate::coeff::Coeff;
 use crate::error::Result;
+use crate::ops::enclose::{Enclosure, enclose};
 use crate::ops::sign::{Sign, sign_of};
 use crate::scalar::Scalar;
 use crate::spline::Spline;
 use crate::tensor::spline::TensorSpline;
+use crate::weighted::Weighted;
 use std::fmt::Debug;
 
 mod sealed {
@@ -52,6 +54,15 @@ pub trait Domain<T: Scalar>: Clone + Debug + PartialEq + sealed::Sealed {
         pair: impl Fn(&A, &B) -> C,
     ) -> Result<Self::Spline<C>>;
 
+    /// The parameters.
+    type Parameter: Debug;
+
+    /// The extreme values of a quotient with positive weights.
+    ///
+    /// # Errors
+    /// As [`Function::range`](crate::Function::range).
+    fn range(lifted: &Self::Spline<Weighted<T>>, accuracy: &T) -> Result<Enclosure<T, Self::Parameter>>;
+
     /// The sign of all values of a scalar spline.
     ///
     /// # Errors
@@ -97,6 +108,12 @@ impl<T: Scalar> Domain<T> for Interval {
         left.paired_by(right, pair)
     }
 
+    type Parameter = T;
+
+    fn range(lifted: &Spline<T, Weighted<T>>, accuracy: &T) -> Result<Enclosure<T>> {
+        Ok(enclose(lifted.patches()?, accuracy)?.map_parameters(|[x]| x))
+    }
+
     fn sign(spline: &Spline<T>) -> Result<Sign> {
         sign_of(spline.patches()?)
     }
@@ -130,6 +147,12 @@ impl<T: Scalar> Domain<T> for Rectangle {
         pair: impl Fn(&A, &B) -> C,
     ) -> Result<TensorSpline<T, C>> {
         left.paired_by(right, pair)
+    }
+
+    type Parameter = (T, T);
+
+    fn range(lifted: &TensorSpline<T, Weighted<T>>, accuracy: &T) -> Result<Enclosure<T, (T, T)>> {
+        Ok(enclose(lifted.boxes()?, accuracy)?.map_parameters(|[u, v]| (u, v)))
     }
 
     fn sign(spline: &TensorSpline<T>) -> Result<Sign> {

@@ -13,4 +13,5 @@ pub mod arithmetic;
 pub mod derivative;
 pub mod operators;
 pub mod moebius;
+pub mod range;
 pub mod approximate;

@@ -109,9 +109,15 @@ impl<D: Domain<T>, T: Scalar, C: Coeff<T>> Rational<D, T, C> {
 
     /// The rational spline that is `lifted`, if all weights are positive.
     pub(crate) fn weighing(lifted: D::Spline<Weighted<T, C>>) -> Result<Self> {
-        match D::coeffs(&lifted).iter().enumerate().find(|(_, c)| c.weight <= T::zero()) {
-            Some((index, c)) => Err(Error::Weight { index, weight: c.weight.to_string() }),
-            None => Ok(Self { lifted }),
+        let weighed = Self { lifted };
+        weighed.check_weights().map(|()| weighed)
+    }
+
+    /// Checks that all weights are positive, not only the denominator.
+    pub(crate) fn check_weights(&self) -> Result<()> {
+        match self.weights().enumerate().find(|(_, weight)| **weight <= T::zero()) {
+            Some((index, weight)) => Err(Error::Weight { index, weight: weight.to_string() }),
+            None => Ok(()),
         }
     }
 
@@ -182,8 +188,8 @@ impl<D: Domain<T>, T: Scalar, C: Coeff<T>> Rational<D, T, C> {
     /// # Ok::<(), symspline::Error>(())
     /// ```
     pub fn points(&self) -> Result<Vec<C>> {
-        let positive = Self::weighing(self.lifted.clone())?;
-        Ok(D::coeffs(&positive.lifted).iter().map(Weighted::project).collect())
+        self.check_weights()?;
+        Ok(D::coeffs(&self.lifted).iter().map(Weighted::project).collect())
     }
 }
 

@@ -1,5 +1,6 @@
 //! Between which values a scalar surface runs, and in which box a surface lies.
 
+use crate::coeff::Coeff;
 use crate::error::Result;
 use crate::ops::enclose::{Enclosure, enclose};
 use crate::ops::patch::Patch;
@@ -35,9 +36,11 @@ impl<T: Scalar> TensorSpline<T> {
     pub fn range(&self, accuracy: &T) -> Result<Enclosure<T, (T, T)>> {
         Ok(enclose(self.boxes()?, accuracy)?.map_parameters(|[u, v]| (u, v)))
     }
+}
 
+impl<T: Scalar, C: Coeff<T>> TensorSpline<T, C> {
     /// The patches with their rectangles.
-    pub(crate) fn boxes(&self) -> Result<Vec<Patch<T, 2>>> {
+    pub(crate) fn boxes(&self) -> Result<Vec<Patch<T, 2, C>>> {
         let degrees = [self.u().degree(), self.v().degree()];
         let (us, vs) = (self.u().breaks(), self.v().breaks());
         let side = |ends: &[(T, usize)]| (ends[0].0.clone(), ends[1].0.clone());

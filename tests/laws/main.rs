@@ -42,6 +42,7 @@ mod hold;
 mod surface;
 mod rational;
 mod rational_arithmetic;
+mod rational_range;
 mod rational_surface;
 mod moebius;
 mod poles;
