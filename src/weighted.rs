@@ -33,7 +33,13 @@ impl<T: Scalar, C: Coeff<T>> Weighted<T, C> {
     /// Over a field without infinities if the weight is zero.
     #[inline]
     pub fn project(&self) -> C {
-        self.point.scaled(&(T::one() / &self.weight))
+        let inverse = T::one() / &self.weight;
+        if inverse.is_finite() {
+            return self.point.scaled(&inverse);
+        }
+        // A weight near the end of the range of floating point.
+        let up = T::int(1 << 60);
+        self.point.scaled(&up).scaled(&(T::one() / (self.weight.clone() * up)))
     }
 }
 
@@ -72,5 +78,19 @@ impl<T: Scalar, C: Coeff<T>> Coeff<T> for Weighted<T, C> {
 
     fn same_shape(&self, other: &Self) -> bool {
         self.point.same_shape(&other.point)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tiny_weights_have_points() {
+        for weight in [1e-300, 1e-310, 5e-324] {
+            let point: f64 = Weighted { point: 2.0 * weight, weight }.project();
+            assert!((point - 2.0).abs() <= 2.0 * f64::EPSILON, "{weight}");
+        }
+        assert!(!Weighted { point: 0.0, weight: 0.0 }.project().is_finite());
     }
 }
