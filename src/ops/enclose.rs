@@ -18,7 +18,7 @@ use std::collections::BinaryHeap;
 const DEPTH: usize = 4096;
 
 /// How many halvings there are in all at most.
-const HALVINGS: usize = 1 << 18;
+const HALVINGS: usize = 1 << 16;
 
 /// An extreme value between a bound and a value met.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
