@@ -85,6 +85,13 @@ pub trait Scalar:
         (0..6).fold((self.clone() + Self::one()) * &half, step)
     }
 
+    /// A number that never decreases with `self`, about `(self - start) * per_unit`: where to begin looking for `self` among
+    /// sorted numbers. Zero, which tells nothing, is right too.
+    fn bucket(&self, start: &Self, per_unit: &Self) -> usize {
+        let _ = (start, per_unit);
+        0
+    }
+
     /// The sum of products `Σ a b`, the hook by which an exact field may reduce a whole row once.
     fn dot<'a>(pairs: impl Iterator<Item = (&'a Self, &'a Self)>) -> Self {
         pairs.fold(Self::zero(), |sum, (a, b)| sum + a.clone() * b)
@@ -127,6 +134,12 @@ impl Scalar for f64 {
     #[inline]
     fn magnitude(&self) -> Self {
         self.abs()
+    }
+
+    #[inline]
+    fn bucket(&self, start: &Self, per_unit: &Self) -> usize {
+        // The cast takes what is not a number, or negative, to zero.
+        ((self - start) * per_unit) as usize
     }
 
     #[inline]

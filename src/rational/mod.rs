@@ -7,7 +7,7 @@ pub mod domain;
 pub mod spline;
 pub mod curve;
 pub mod surface;
-mod quotient;
+pub(crate) mod quotient;
 pub mod eval;
 pub mod arithmetic;
 pub mod derivative;

@@ -10,6 +10,7 @@ mod rational_strategies;
 mod oracle;
 
 mod basis;
+mod evaluators;
 mod polar;
 mod spaces;
 mod containment;

@@ -1,0 +1,192 @@
+//! Evaluators of surfaces.
+
+use crate::coeff::Coeff;
+use crate::error::Result;
+use crate::limits::check_dim;
+use crate::prepared::evaluate::Evaluate;
+use crate::prepared::index::SpanIndex;
+use crate::prepared::powers::{Centring, Local, check_finite, derivatives, value};
+use crate::scalar::Scalar;
+use crate::tensor::spline::TensorSpline;
+
+/// The highest sum of degrees for which powers are used: what rounding grows by is at most `2^10`.
+const POWERS: usize = 10;
+
+/// A surface prepared for values at many parameters, made by [`TensorSpline::evaluator`].
+///
+/// # Examples
+/// ```
+/// use symspline::{Evaluate, SplineSpace, TensorSpline};
+/// let line = SplineSpace::bezier(1, 0.0, 1.0)?;
+/// let evaluator = TensorSpline::new(line.clone(), line, vec![0.0, 1.0, 2.0, 5.0])?.evaluator()?;
+/// assert_eq!(evaluator.eval(&[(1.0, 0.5), (0.0, 0.0)])?, [3.5, 0.0]);
+/// assert_eq!(evaluator.derivatives_at::<2>(&(0.0, 0.5))?, [[0.5, 1.0], [3.0, 2.0]]);
+/// # Ok::<(), symspline::Error>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct SurfaceEvaluator<T, C> {
+    u: SpanIndex<T>,
+    v: SpanIndex<T>,
+    pieces: Pieces<T, C>,
+}
+
+/// The polynomials of the patches, row by row of them.
+#[derive(Clone, Debug)]
+enum Pieces<T, C> {
+    /// In powers: `orders.0` rows of `orders.1` coefficients a patch, the powers along `v` next to each other.
+    Powers { orders: (usize, usize), us: Vec<Local<T>>, vs: Vec<Local<T>>, coeffs: Vec<C> },
+    /// Of high degree: as they are.
+    Plain(TensorSpline<T, C>),
+}
+
+impl<T: Scalar, C: Coeff<T>> TensorSpline<T, C> {
+    /// The surface prepared for many values.
+    ///
+    /// Up to a sum `p + q = 10` of degrees every patch becomes a polynomial in powers about its middle, which takes
+    /// `(p + 1) (q + 1)` coefficients a patch. In `f64` a value is then off by at most `4 (p + q + 2) 2^(p+q) ε` times the
+    /// largest coefficient under the patch, where `ε = 2^-52`. Surfaces of higher degree are kept as they are.
+    ///
+    /// # Errors
+    /// [`NotFinite`](crate::Error::NotFinite) for coefficients so large that those of powers overflow;
+    /// [`TooLarge`](crate::Error::TooLarge).
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::{Evaluate, Q, Scalar, SplineSpace, TensorSpline};
+    /// let line = SplineSpace::bezier(1, Q::int(0), Q::int(1))?;
+    /// let product = TensorSpline::new(line.clone(), line, [0, 0, 0, 1].map(Q::int).to_vec())?.evaluator()?;
+    /// assert_eq!(product.at(&(Q::frac(1, 3), Q::frac(1, 2)))?, Q::frac(1, 6));
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    pub fn evaluator(&self) -> Result<SurfaceEvaluator<T, C>> {
+        let (u, v) = (SpanIndex::new(self.u()), SpanIndex::new(self.v()));
+        let (p, q) = (self.u().degree(), self.v().degree());
+        if p + q > POWERS {
+            return Ok(SurfaceEvaluator { u, v, pieces: Pieces::Plain(self.clone()) });
+        }
+        let (us, vs) = (Local::of_spans(u.breaks()), Local::of_spans(v.breaks()));
+        let size = (p + 1) * (q + 1);
+        check_dim(us.len().saturating_mul(vs.len()).saturating_mul(size))?;
+        let pieces = self.embedded(&self.u().pieces(p)?, &self.v().pieces(q)?)?;
+        let width = pieces.v().dim();
+        let mut coeffs = Vec::with_capacity(pieces.coeffs().len());
+        let (mut along_u, mut along_v) = (Centring::new(p), Centring::new(q));
+        for strip in pieces.coeffs().chunks((p + 1) * width) {
+            for j in (0..width).step_by(q + 1) {
+                let start = coeffs.len();
+                coeffs.extend(strip.chunks(width).flat_map(|row| &row[j..=j + q]).cloned());
+                let patch = &mut coeffs[start..];
+                (0..=p).for_each(|i| along_v.centre(patch, i * (q + 1), 1));
+                (0..=q).for_each(|j| along_u.centre(patch, j, q + 1));
+            }
+        }
+        check_finite(&coeffs)?;
+        Ok(SurfaceEvaluator { u, v, pieces: Pieces::Powers { orders: (p + 1, q + 1), us, vs, coeffs } })
+    }
+}
+
+impl<T: Scalar, C: Coeff<T>> SurfaceEvaluator<T, C> {
+    /// The value on the patch of the spans `k` and `l`.
+    #[inline]
+    fn on_patch(&self, (k, l): (usize, usize), (u, v): &(T, T)) -> Result<C> {
+        match &self.pieces {
+            Pieces::Powers { orders, us, vs, coeffs } => {
+                let (s, t) = (us[k].parameter(u), vs[l].parameter(v));
+                let size = orders.0 * orders.1;
+                let patch = &coeffs[(k * vs.len() + l) * size..][..size];
+                Ok(unrolled(*orders, patch, |patch, order| patch_value(patch, order, &s, &t)))
+            }
+            Pieces::Plain(surface) => surface.at(u, v),
+        }
+    }
+
+    /// The derivatives on the patch of the spans `k` and `l`.
+    #[inline]
+    fn derivatives_on_patch<const COUNT: usize>(
+        &self,
+        (k, l): (usize, usize),
+        (u, v): &(T, T),
+    ) -> Result<[[C; COUNT]; COUNT]> {
+        match &self.pieces {
+            Pieces::Powers { orders, us, vs, coeffs } => {
+                let (s, t) = (us[k].parameter(u), vs[l].parameter(v));
+                let size = orders.0 * orders.1;
+                let patch = &coeffs[(k * vs.len() + l) * size..][..size];
+                Ok(unrolled(*orders, patch, |patch, order| {
+                    let row = |row: &[C]| -> [C; COUNT] { derivatives(row.iter(), &t, vs[l].slope()) };
+                    derivatives(patch.chunks_exact(order).map(row), &s, us[k].slope())
+                }))
+            }
+            Pieces::Plain(surface) => {
+                let all = surface.derivatives_at(u, v, COUNT.saturating_sub(1))?;
+                Ok(std::array::from_fn(|k| std::array::from_fn(|l| all[k][l].clone())))
+            }
+        }
+    }
+
+    /// Calls `take` with what `on_patch` makes of each parameter.
+    #[inline(always)]
+    fn walk<V>(
+        &self,
+        parameters: &[(T, T)],
+        on_patch: impl Fn((usize, usize), &(T, T)) -> Result<V>,
+        mut take: impl FnMut(V),
+    ) -> Result<()> {
+        parameters.iter().try_for_each(|x| {
+            take(on_patch((self.u.locate(&x.0)?, self.v.locate(&x.1)?), x)?);
+            Ok(())
+        })
+    }
+}
+
+/// What `f` makes of a patch and the length of its rows, both known to the compiler for equal low degrees.
+#[inline(always)]
+fn unrolled<C, R>(orders: (usize, usize), patch: &[C], f: impl Fn(&[C], usize) -> R) -> R {
+    match orders {
+        (2, 2) => f(&patch[..4], 2),
+        (3, 3) => f(&patch[..9], 3),
+        (4, 4) => f(&patch[..16], 4),
+        (_, order) => f(patch, order),
+    }
+}
+
+/// The value of a patch whose rows have length `order`, by Horner's rule in both directions.
+#[inline(always)]
+fn patch_value<T: Scalar, C: Coeff<T>>(patch: &[C], order: usize, s: &T, t: &T) -> C {
+    let one = T::one();
+    let mut rows = patch.chunks_exact(order).rev().map(|row| value(row, t));
+    let last = rows.next().expect("a patch has a row");
+    rows.fold(last, |mut sum, row| {
+        sum.scale(s);
+        sum.add_scaled(&one, &row);
+        sum
+    })
+}
+
+impl<T: Scalar, C: Coeff<T>> Evaluate for SurfaceEvaluator<T, C> {
+    type Parameter = (T, T);
+    type Value = C;
+    type Derivatives<const COUNT: usize> = [[C; COUNT]; COUNT];
+
+    #[inline]
+    fn at(&self, x: &(T, T)) -> Result<C> {
+        self.on_patch((self.u.locate(&x.0)?, self.v.locate(&x.1)?), x)
+    }
+
+    #[inline]
+    fn derivatives_at<const COUNT: usize>(&self, x: &(T, T)) -> Result<[[C; COUNT]; COUNT]> {
+        self.derivatives_on_patch((self.u.locate(&x.0)?, self.v.locate(&x.1)?), x)
+    }
+
+    fn for_each(&self, parameters: &[(T, T)], take: impl FnMut(C)) -> Result<()> {
+        self.walk(parameters, |patch, x| self.on_patch(patch, x), take)
+    }
+
+    fn for_each_derivatives<const COUNT: usize>(
+        &self,
+        parameters: &[(T, T)],
+        take: impl FnMut([[C; COUNT]; COUNT]),
+    ) -> Result<()> {
+        self.walk(parameters, |patch, x| self.derivatives_on_patch(patch, x), take)
+    }
+}
