@@ -138,8 +138,10 @@ impl Scalar for f64 {
 
     #[inline]
     fn bucket(&self, start: &Self, per_unit: &Self) -> usize {
-        // The cast takes what is not a number, or negative, to zero.
-        ((self - start) * per_unit) as usize
+        // Beyond 2^52 the last bits of a number are its integer part, rounded: a cast takes several times as long.
+        const UNIT: f64 = (1_u64 << 52) as f64;
+        let count = (self - start) * per_unit;
+        if count < u32::MAX as f64 { (count + UNIT).to_bits() as u32 as usize } else { 0 }
     }
 
     #[inline]

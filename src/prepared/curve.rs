@@ -2,9 +2,12 @@
 
 use crate::coeff::Coeff;
 use crate::error::Result;
+use crate::limits::check_dim;
 use crate::prepared::evaluate::Evaluate;
 use crate::prepared::index::SpanIndex;
-use crate::prepared::powers::{Centring, Local, POWERS, check_finite, derivatives, unrolled, value};
+use crate::prepared::powers::{
+    Centring, LEAST, Local, POWERS, check_finite, derivatives, single_derivatives, single_value, value,
+};
 use crate::scalar::Scalar;
 use crate::spline::Spline;
 
@@ -64,32 +67,40 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
             return Ok(Evaluator { spans, pieces });
         }
         let locals = Local::of_spans(spans.breaks());
-        let mut coeffs = self.embedded(&self.space().pieces(p)?)?.into_coeffs();
+        let order = LEAST.max(p + 1);
+        check_dim(locals.len().saturating_mul(order))?;
+        let pieces = self.embedded(&self.space().pieces(p)?)?.into_coeffs();
+        let mut coeffs: Vec<C> = Vec::with_capacity(locals.len() * order);
         let mut centring = Centring::new(p);
-        (0..coeffs.len()).step_by(p + 1).for_each(|first| centring.centre(&mut coeffs, first, 1));
+        for piece in pieces.chunks(p + 1) {
+            let first = coeffs.len();
+            coeffs.extend_from_slice(piece);
+            centring.centre(&mut coeffs, first, 1);
+            coeffs.resize(first + order, piece[0].zero_like());
+        }
         check_finite(&coeffs)?;
-        Ok(Evaluator { spans, pieces: Pieces::Powers { order: p + 1, locals, coeffs } })
+        Ok(Evaluator { spans, pieces: Pieces::Powers { order, locals, coeffs } })
     }
 }
 
 impl<T: Scalar, C: Coeff<T>> Evaluator<T, C> {
-    #[inline]
+    #[inline(always)]
     fn on_span(&self, span: usize, x: &T) -> C {
         match &self.pieces {
             Pieces::Powers { order, locals, coeffs } => {
                 let s = locals[span].parameter(x);
-                unrolled(&coeffs[span * order..][..*order], |piece| value(piece, &s))
+                single_value(&coeffs[span * order..][..*order], &s)
             }
             Pieces::Plain { spline, starts } => spline.on_span(starts[span], x),
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn derivatives_on_span<const COUNT: usize>(&self, span: usize, x: &T) -> [C; COUNT] {
         match &self.pieces {
             Pieces::Powers { order, locals, coeffs } => {
                 let (s, slope) = (locals[span].parameter(x), locals[span].slope());
-                unrolled(&coeffs[span * order..][..*order], |piece| derivatives(piece.iter(), &s, slope))
+                single_derivatives(&coeffs[span * order..][..*order], &s, slope)
             }
             Pieces::Plain { spline, starts } => {
                 let mut all = spline.derivatives_on(starts[span], x, COUNT.saturating_sub(1)).into_iter();
@@ -106,25 +117,35 @@ impl<T: Scalar, C: Coeff<T>> Evaluator<T, C> {
         take: impl FnMut(C),
     ) -> Result<()> {
         let (pieces, _) = coeffs.as_chunks::<ORDER>();
-        self.walk(parameters, |span, x| value(&pieces[span], &locals[span].parameter(x)), take)
+        let piece = |span: usize| (&pieces[span], &locals[span]);
+        self.walk(parameters, piece, |(piece, local), x| value(*piece, &local.parameter(x)), take)
     }
 
-    /// Calls `take` with what `on_span` makes of each parameter.
+    /// Calls `take` with what `value` makes of each parameter and the `piece` of its span.
     #[inline(always)]
-    fn walk<V>(
+    fn walk<P, V>(
         &self,
         parameters: &[T],
-        on_span: impl Fn(usize, &T) -> V,
+        piece: impl Fn(usize) -> P,
+        value: impl Fn(&P, &T) -> V,
         mut take: impl FnMut(V),
     ) -> Result<()> {
         for group in parameters.chunks(GROUP) {
             let span = self.spans.locate(&group[0])?;
-            if self.spans.holds(span, group) {
-                group.iter().for_each(|x| take(on_span(span, x)));
-            } else {
+            if span.abs_diff(self.spans.locate(&group[group.len() - 1])?) > GROUP / 8 {
+                // In no order: whether a span holds the next parameter too is not worth a question.
                 for x in group {
-                    take(on_span(self.spans.locate(x)?, x));
+                    take(value(&piece(self.spans.locate(x)?), x));
                 }
+                continue;
+            }
+            let (mut ends, mut here) = (self.spans.ends(span), piece(span));
+            for x in group {
+                if !(ends.0 <= x && x < ends.1) {
+                    let span = self.spans.locate(x)?;
+                    (ends, here) = (self.spans.ends(span), piece(span));
+                }
+                take(value(&here, x));
             }
         }
         Ok(())
@@ -136,29 +157,26 @@ impl<T: Scalar, C: Coeff<T>> Evaluate for Evaluator<T, C> {
     type Value = C;
     type Derivatives<const COUNT: usize> = [C; COUNT];
 
-    #[inline]
+    #[inline(always)]
     fn at(&self, x: &T) -> Result<C> {
         Ok(self.on_span(self.spans.locate(x)?, x))
     }
 
-    #[inline]
+    #[inline(always)]
     fn derivatives_at<const COUNT: usize>(&self, x: &T) -> Result<[C; COUNT]> {
         Ok(self.derivatives_on_span(self.spans.locate(x)?, x))
     }
 
     fn for_each(&self, parameters: &[T], take: impl FnMut(C)) -> Result<()> {
         let Pieces::Powers { order, locals, coeffs } = &self.pieces else {
-            return self.walk(parameters, |span, x| self.on_span(span, x), take);
+            return self.walk(parameters, |span| span, |span, x| self.on_span(*span, x), take);
         };
         let table = (locals.as_slice(), coeffs.as_slice());
         match order {
-            1 => self.for_each_of::<1>(table, parameters, take),
-            2 => self.for_each_of::<2>(table, parameters, take),
-            3 => self.for_each_of::<3>(table, parameters, take),
             4 => self.for_each_of::<4>(table, parameters, take),
             5 => self.for_each_of::<5>(table, parameters, take),
             6 => self.for_each_of::<6>(table, parameters, take),
-            _ => self.walk(parameters, |span, x| self.on_span(span, x), take),
+            _ => self.walk(parameters, |span| span, |span, x| self.on_span(*span, x), take),
         }
     }
 
@@ -167,6 +185,16 @@ impl<T: Scalar, C: Coeff<T>> Evaluate for Evaluator<T, C> {
         parameters: &[T],
         take: impl FnMut([C; COUNT]),
     ) -> Result<()> {
-        self.walk(parameters, |span, x| self.derivatives_on_span(span, x), take)
+        match &self.pieces {
+            Pieces::Powers { order: 4, locals, coeffs } => {
+                let (pieces, _) = coeffs.as_chunks::<4>();
+                let piece = |span: usize| (&pieces[span], &locals[span]);
+                let all = |(piece, local): &(&[C; 4], &Local<T>), x: &T| {
+                    derivatives(piece.iter(), &local.parameter(x), local.slope())
+                };
+                self.walk(parameters, piece, all, take)
+            }
+            _ => self.walk(parameters, |span| span, |span, x| self.derivatives_on_span(*span, x), take),
+        }
     }
 }

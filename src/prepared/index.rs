@@ -74,12 +74,10 @@ impl<T: Scalar> SpanIndex<T> {
         Ok(span.min(last - 1))
     }
 
-    /// Whether all of `group` lie in `[breaks[span], breaks[span + 1])`.
+    /// Start and end of a span.
     #[inline]
-    pub(crate) fn holds(&self, span: usize, group: &[T]) -> bool {
-        let (a, b) = (&self.breaks[span], &self.breaks[span + 1]);
-        // No way out of the loop: comparisons go several at a time.
-        group.iter().fold(true, |held, x| held & (*a <= *x) & (*x < *b))
+    pub(crate) fn ends(&self, span: usize) -> (&T, &T) {
+        (&self.breaks[span], &self.breaks[span + 1])
     }
 
     #[cold]

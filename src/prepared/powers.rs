@@ -19,6 +19,9 @@ use std::borrow::Borrow;
 /// The highest degree for which powers are used: what rounding grows by is at most `2^8`.
 pub(crate) const POWERS: usize = 8;
 
+/// The coefficients that a piece has at least: low degrees are padded with zeros, so that single values need no branch.
+pub(crate) const LEAST: usize = 4;
+
 /// Start of a span, and the reciprocal of its length.
 ///
 /// The start is a knot, and exact: a middle would be rounded, and shift the parameter.
@@ -92,19 +95,6 @@ pub(crate) fn check_finite<T: Scalar, C: Coeff<T>>(coeffs: &[C]) -> Result<()> {
     }
 }
 
-/// What `f` makes of `coeffs`, their number known to the compiler for low degrees.
-#[inline(always)]
-pub(crate) fn unrolled<C, R>(coeffs: &[C], f: impl Fn(&[C]) -> R) -> R {
-    match coeffs.len() {
-        2 => f(&coeffs[..2]),
-        3 => f(&coeffs[..3]),
-        4 => f(&coeffs[..4]),
-        5 => f(&coeffs[..5]),
-        6 => f(&coeffs[..6]),
-        _ => f(coeffs),
-    }
-}
-
 /// The value at the local parameter `s`: by Horner's rule, over an exact field by powers, which takes one reduction.
 #[inline(always)]
 pub(crate) fn value<T: Scalar, C: Coeff<T>>(coeffs: &[C], s: &T) -> C {
@@ -125,35 +115,73 @@ pub(crate) fn derivatives<const COUNT: usize, T: Scalar, C: Coeff<T>, B: Borrow<
     slope: &T,
 ) -> [C; COUNT] {
     let mut sums: [C; COUNT] = taylor(coeffs, s);
-    let mut factor = T::one();
-    for (d, sum) in sums.iter_mut().enumerate().skip(1) {
-        factor = factor * slope * T::int(d as i64);
-        sum.scale(&factor);
-    }
+    differentiate(&mut sums, slope);
     sums
 }
 
-/// The first `COUNT` Taylor coefficients at `s`: Horner's rule, where each takes the one before for its next coefficient.
+/// [`value`] of at least [`LEAST`] coefficients, without a branch for the lowest.
+#[inline(always)]
+pub(crate) fn single_value<T: Scalar, C: Coeff<T>>(coeffs: &[C], s: &T) -> C {
+    if T::EXACT {
+        return value(coeffs, s);
+    }
+    let [value] = single_taylor(coeffs, s);
+    value
+}
+
+/// [`derivatives`] of at least [`LEAST`] coefficients, without a branch for the lowest.
+#[inline(always)]
+pub(crate) fn single_derivatives<const COUNT: usize, T: Scalar, C: Coeff<T>>(
+    coeffs: &[C],
+    s: &T,
+    slope: &T,
+) -> [C; COUNT] {
+    let mut sums: [C; COUNT] = single_taylor(coeffs, s);
+    differentiate(&mut sums, slope);
+    sums
+}
+
+/// Makes derivatives with respect to `x` of Taylor coefficients in `s`.
+#[inline(always)]
+fn differentiate<T: Scalar, C: Coeff<T>>(taylor: &mut [C], slope: &T) {
+    let mut factor = T::one();
+    for (d, sum) in taylor.iter_mut().enumerate().skip(1) {
+        factor = factor * slope * T::int(d as i64);
+        sum.scale(&factor);
+    }
+}
+
+/// The first `COUNT` Taylor coefficients at `s`.
 #[inline(always)]
 fn taylor<const COUNT: usize, T: Scalar, C: Coeff<T>, B: Borrow<C>>(
     coeffs: impl DoubleEndedIterator<Item = B>,
     s: &T,
 ) -> [C; COUNT] {
-    let one = T::one();
     let mut descending = coeffs.rev();
     let last = descending.next().expect("a polynomial has a coefficient");
     let last: &C = last.borrow();
-    let mut sums: [C; COUNT] = std::array::from_fn(|d| if d == 0 { last.clone() } else { last.zero_like() });
-    for c in descending {
-        for d in (1..COUNT).rev() {
-            let (low, high) = sums.split_at_mut(d);
-            high[0].scale(s);
-            high[0].add_scaled(&one, &low[d - 1]);
-        }
-        if let Some(value) = sums.first_mut() {
-            value.scale(s);
-            value.add_scaled(&one, c.borrow());
-        }
+    let start = std::array::from_fn(|d| if d == 0 { last.clone() } else { last.zero_like() });
+    descending.fold(start, |sums, c| horner(sums, s, c.borrow()))
+}
+
+/// The same of at least [`LEAST`] coefficients, the lowest of them without a loop.
+#[inline(always)]
+fn single_taylor<const COUNT: usize, T: Scalar, C: Coeff<T>>(coeffs: &[C], s: &T) -> [C; COUNT] {
+    let (low, high) = coeffs.split_first_chunk::<LEAST>().expect("short pieces are padded");
+    let start = std::array::from_fn(|_| low[0].zero_like());
+    let start = high.iter().rev().fold(start, |sums, c| horner(sums, s, c));
+    low.iter().rev().fold(start, |sums, c| horner(sums, s, c))
+}
+
+/// One step of Horner's rule for Taylor coefficients: the value takes `c` for its next coefficient, each derivative the Taylor
+/// coefficient before it.
+#[inline(always)]
+fn horner<const COUNT: usize, T: Scalar, C: Coeff<T>>(mut sums: [C; COUNT], s: &T, c: &C) -> [C; COUNT] {
+    for d in (1..COUNT).rev() {
+        sums[d] = sums[d - 1].plus_scaled(s, &sums[d]);
+    }
+    if let Some(value) = sums.first_mut() {
+        *value = c.plus_scaled(s, value);
     }
     sums
 }
