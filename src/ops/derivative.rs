@@ -29,19 +29,18 @@ impl<T: Scalar> SplineSpace<T> {
     /// # Ok::<(), symspline::Error>(())
     /// ```
     pub fn derivative_space(&self) -> Result<Self> {
-        let p = self.degree();
-        let jump = |knots: &[(T, usize)]| knots.iter().find(|(_, m)| *m > p).map(|(t, _)| t.to_string());
-        let inside = if self.is_periodic() { self.round() } else { self.parts().inner };
-        if let Some(knot) = jump(&inside) {
-            return Err(Error::Discontinuous { knot });
+        let (p, t) = (self.degree(), self.knots());
+        // Knots that count inside: in a ring all of a period.
+        let inside = if self.is_periodic() { self.round_knots() } else { &t[p + 1..=self.last_span()] };
+        if let Some(run) = inside.windows(p + 1).find(|run| run[0] == run[p]) {
+            return Err(Error::Discontinuous { knot: run[0].to_string() });
         }
         if p == 0 {
             return Ok(self.clone());
         }
         if self.is_periodic() {
-            return Self::from_round(p - 1, &inside, self.domain().1);
+            return Self::from_round(p - 1, &self.round(), self.domain().1);
         }
-        let t = self.knots();
         Self::new(p - 1, t[1..t.len() - 1].iter().cloned())
     }
 
@@ -99,12 +98,17 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
         if p == 0 {
             return Spline::new(target, self.coeffs().iter().map(C::zero_like).collect());
         }
-        let leg = |i: usize| {
-            let mut leg = self.coeff(i + 1).minus(self.coeff(i));
-            leg.scale(&self.space().slope(i));
+        let (t, degree) = (self.space().knots(), T::int(p as i64));
+        // The last coefficient meets the first one in a ring, where the derivative has as many.
+        let (first, last) = (&self.coeffs()[0], &self.coeffs()[self.coeffs().len() - 1]);
+        let seam = [last.clone(), first.clone()];
+        let legs = self.coeffs().windows(2).chain(seam.windows(2)).map(|ends| ends[1].minus(&ends[0]));
+        let lengths = t[p + 1..].iter().zip(&t[1..]).map(|(end, start)| end.clone() - start);
+        let mut coeffs = Vec::with_capacity(target.dim());
+        coeffs.extend(legs.zip(lengths).take(target.dim()).map(|(mut leg, length)| {
+            leg.scale(&(degree.clone() / length));
             leg
-        };
-        let coeffs = (0..target.dim()).map(leg).collect();
+        }));
         Spline::new(target, coeffs)
     }
 

@@ -139,10 +139,12 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     pub fn antiderivative(&self) -> Result<Self> {
         let (space, target) = (self.space(), self.space().antiderivative_space()?);
         let mut coeffs = Vec::with_capacity(target.dim() + 1);
+        let (t, order) = (space.knots(), space.degree() + 1);
+        let share = T::int(order as i64);
         let mut sum = self.coeffs()[0].zero_like();
-        for (i, c) in self.coeffs().iter().enumerate() {
+        for (c, (before, after)) in self.coeffs().iter().zip(t.iter().zip(&t[order..])) {
             coeffs.push(sum.clone());
-            sum.add_scaled(&space.mass(i), c);
+            sum.add_scaled(&((after.clone() - before) / &share), c);
         }
         if !space.is_periodic() {
             coeffs.push(sum);
