@@ -43,6 +43,19 @@ impl Question for FineTuning {
         }
         let name = format!("degree {degree}, {points} points/{}", numbers.name);
         group.bench_function(name, |b| b.iter(|| black_box(&curve).fine_tuned(&alpha)));
+
+        // While a value of the scale is dragged.
+        let tuning = curve.fine_tuning(alpha.space())?;
+        let mut points = tuning.tuned(alpha.coeffs())?.into_coeffs();
+        for (point, expected) in points.iter().zip(tuned.coeffs()) {
+            assert_close(point, expected, epsilon.clone() * T::int(100 * tuned.coeffs().len() as i64));
+        }
+        let name = format!(
+            "degree {degree}, {points} points, a drag/{}",
+            numbers.name,
+            points = curve.coeffs().len()
+        );
+        group.bench_function(name, |b| b.iter(|| tuning.tune_into(black_box(alpha.coeffs()), &mut points)));
         Ok(())
     }
 }

@@ -74,6 +74,7 @@ pub use coeff::Coeff;
 pub use error::{Error, Result};
 pub use exact::Q;
 pub use fine_tune::hold::{Hold, Turnable};
+pub use fine_tune::table::FineTuning;
 pub use functional::Functional;
 pub use knots::KnotVector;
 pub use map::LinearMap;

@@ -70,7 +70,7 @@ impl<T: Scalar> SplineSpace<T> {
     }
 
     /// The integral of unrolled basis function `i` over its whole support.
-    fn mass(&self, i: usize) -> T {
+    pub(crate) fn mass(&self, i: usize) -> T {
         let (t, p) = (self.knots(), self.degree());
         (t[i + p + 1].clone() - &t[i]) / T::int(p as i64 + 1)
     }

@@ -27,6 +27,22 @@ proptest! {
     }
 
     #[test]
+    fn the_table_tunes_as_the_operator_does((c, alpha) in curve_and_function::<3>(CURVE, SCALE), at in number()) {
+        let tuning = c.fine_tuning(alpha.space())?;
+        let tuned = c.fine_tuned(&alpha)?;
+        prop_assert_eq!(tuning.space(), tuned.space());
+        // Whatever the places held before.
+        let mut points = vec![SVector::from_element(at); tuned.coeffs().len()];
+        tuning.tune_into(alpha.coeffs(), &mut points)?;
+        prop_assert_eq!(&points[..], tuned.coeffs());
+        prop_assert_eq!(tuning.tuned(alpha.coeffs())?, tuned);
+        let before = points.clone();
+        prop_assert!(tuning.tune_into(&alpha.coeffs()[1..], &mut points).is_err());
+        prop_assert!(tuning.tune_into(alpha.coeffs(), &mut points[1..]).is_err());
+        prop_assert_eq!(points, before);
+    }
+
+    #[test]
     fn a_scale_of_one_changes_nothing(c in curve::<2>(CURVE), q in 0_usize..4) {
         prop_assert!(c.fine_tuned(&constant(&c, q, Q::int(1))?)?.same_function(&c)?);
     }
