@@ -57,11 +57,19 @@ impl<T: Scalar> SpanIndex<T> {
     ///
     /// # Errors
     /// [`Error::OutsideDomain`], also for NaN.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn locate(&self, x: &T) -> Result<usize> {
+        match self.find(x) {
+            Some(span) => Ok(span),
+            None => Err(self.outside(x)),
+        }
+    }
+
+    #[inline(always)]
+    fn find(&self, x: &T) -> Option<usize> {
         let last = self.breaks.len() - 1;
         if !(self.breaks[0] <= *x && *x <= self.breaks[last]) {
-            return Err(self.outside(x));
+            return None;
         }
         let mut span = self.guide[self.bucket(x)] as usize;
         let mut step = self.reach;
@@ -71,7 +79,7 @@ impl<T: Scalar> SpanIndex<T> {
             span = select_unpredictable(self.breaks[probe] <= *x, probe, span);
             step /= 2;
         }
-        Ok(span.min(last - 1))
+        Some(span.min(last - 1))
     }
 
     /// Start and end of a span.
@@ -81,6 +89,7 @@ impl<T: Scalar> SpanIndex<T> {
     }
 
     #[cold]
+    #[inline(never)]
     fn outside(&self, x: &T) -> Error {
         let (start, end) = (&self.breaks[0], &self.breaks[self.breaks.len() - 1]);
         Error::OutsideDomain { parameter: x.to_string(), start: start.to_string(), end: end.to_string() }

@@ -143,11 +143,11 @@ pub(crate) fn single_derivatives<const COUNT: usize, T: Scalar, C: Coeff<T>>(
 
 /// Makes derivatives with respect to `x` of Taylor coefficients in `s`.
 #[inline(always)]
-fn differentiate<T: Scalar, C: Coeff<T>>(taylor: &mut [C], slope: &T) {
+fn differentiate<const COUNT: usize, T: Scalar, C: Coeff<T>>(taylor: &mut [C; COUNT], slope: &T) {
     let mut factor = T::one();
-    for (d, sum) in taylor.iter_mut().enumerate().skip(1) {
+    for d in 1..COUNT {
         factor = factor * slope * T::int(d as i64);
-        sum.scale(&factor);
+        taylor[d].scale(&factor);
     }
 }
 
@@ -160,28 +160,29 @@ fn taylor<const COUNT: usize, T: Scalar, C: Coeff<T>, B: Borrow<C>>(
     let mut descending = coeffs.rev();
     let last = descending.next().expect("a polynomial has a coefficient");
     let last: &C = last.borrow();
-    let start = std::array::from_fn(|d| if d == 0 { last.clone() } else { last.zero_like() });
-    descending.fold(start, |sums, c| horner(sums, s, c.borrow()))
+    let mut sums = std::array::from_fn(|d| if d == 0 { last.clone() } else { last.zero_like() });
+    descending.for_each(|c| horner(&mut sums, s, c.borrow()));
+    sums
 }
 
 /// The same of at least [`LEAST`] coefficients, the lowest of them without a loop.
 #[inline(always)]
 fn single_taylor<const COUNT: usize, T: Scalar, C: Coeff<T>>(coeffs: &[C], s: &T) -> [C; COUNT] {
     let (low, high) = coeffs.split_first_chunk::<LEAST>().expect("short pieces are padded");
-    let start = std::array::from_fn(|_| low[0].zero_like());
-    let start = high.iter().rev().fold(start, |sums, c| horner(sums, s, c));
-    low.iter().rev().fold(start, |sums, c| horner(sums, s, c))
+    let mut sums = std::array::from_fn(|_| low[0].zero_like());
+    high.iter().rev().for_each(|c| horner(&mut sums, s, c));
+    low.iter().rev().for_each(|c| horner(&mut sums, s, c));
+    sums
 }
 
 /// One step of Horner's rule for Taylor coefficients: the value takes `c` for its next coefficient, each derivative the Taylor
 /// coefficient before it.
 #[inline(always)]
-fn horner<const COUNT: usize, T: Scalar, C: Coeff<T>>(mut sums: [C; COUNT], s: &T, c: &C) -> [C; COUNT] {
+fn horner<const COUNT: usize, T: Scalar, C: Coeff<T>>(sums: &mut [C; COUNT], s: &T, c: &C) {
     for d in (1..COUNT).rev() {
         sums[d] = sums[d - 1].plus_scaled(s, &sums[d]);
     }
     if let Some(value) = sums.first_mut() {
         *value = c.plus_scaled(s, value);
     }
-    sums
 }

@@ -3,7 +3,7 @@
 use crate::candidates::{CurvePoints, SurfacePoints};
 use crate::data::{CurveData, Point, SurfaceData};
 use crate::measure::Column;
-use crate::peers::symspline::curve;
+use crate::peers::symspline::{curve, inside};
 use nalgebra::SVector;
 use symspline::{
     Evaluate, Evaluator, NurbsCurve, NurbsSurface, RationalEvaluator, Surface, SurfaceEvaluator, Weighted,
@@ -11,7 +11,6 @@ use symspline::{
 
 type Vector = SVector<f64, 3>;
 type Lifted = Weighted<f64, Vector>;
-const INSIDE: &str = "the parameter is in the domain";
 
 /// An evaluator, whose parameters are numbers or pairs.
 pub struct Prepared<E>(E);
@@ -65,7 +64,7 @@ where
     }
 
     fn at(&self, x: f64) -> Vector {
-        self.0.at(&x).expect(INSIDE)
+        inside(self.0.at(&x))
     }
 
     fn coordinates(point: Vector) -> Point {
@@ -73,17 +72,17 @@ where
     }
 
     fn derivatives(&self, x: f64) -> [Vector; 3] {
-        self.0.derivatives_at::<3>(&x).expect(INSIDE)
+        inside(self.0.derivatives_at::<3>(&x))
     }
 
     fn fill(&self, xs: &[f64], out: &mut Vec<Vector>) {
         out.resize(xs.len(), Vector::zeros());
-        self.0.eval_into(xs, out).expect(INSIDE);
+        inside(self.0.eval_into(xs, out));
     }
 
     fn fill_derivatives(&self, xs: &[f64], out: &mut Vec<[Vector; 3]>) {
         out.resize(xs.len(), [Vector::zeros(); 3]);
-        self.0.eval_derivatives_into::<3>(xs, out).expect(INSIDE);
+        inside(self.0.eval_derivatives_into::<3>(xs, out));
     }
 }
 
@@ -101,7 +100,7 @@ where
     }
 
     fn at(&self, u: f64, v: f64) -> Vector {
-        self.0.at(&(u, v)).expect(INSIDE)
+        inside(self.0.at(&(u, v)))
     }
 
     fn coordinates(point: Vector) -> Point {
@@ -109,7 +108,7 @@ where
     }
 
     fn tangents(&self, u: f64, v: f64) -> [Vector; 3] {
-        let [[value, along_v], [along_u, _]] = self.0.derivatives_at::<2>(&(u, v)).expect(INSIDE);
+        let [[value, along_v], [along_u, _]] = inside(self.0.derivatives_at::<2>(&(u, v)));
         [value, along_u, along_v]
     }
 
@@ -120,6 +119,6 @@ where
 
     fn fill(&self, pairs: &[(f64, f64)], out: &mut Vec<Vector>) {
         out.resize(pairs.len(), Vector::zeros());
-        self.0.eval_into(pairs, out).expect(INSIDE);
+        inside(self.0.eval_into(pairs, out));
     }
 }

@@ -7,7 +7,16 @@ use nalgebra::SVector;
 use symspline::{Curve, NurbsCurve, NurbsSurface, Surface, chord_length, interpolation_space};
 
 type Vector = SVector<f64, 3>;
-const INSIDE: &str = "the parameter is in the domain";
+
+/// A value at a parameter of the domain. `expect` would look at the error by reference, for which the value takes a detour
+/// through memory.
+#[inline(always)]
+pub fn inside<V>(value: symspline::Result<V>) -> V {
+    match value {
+        Ok(value) => value,
+        Err(error) => panic!("{error}"),
+    }
+}
 
 pub fn curve(data: &CurveData) -> Curve<f64, 3> {
     Curve::new(data.space(), data.vectors()).expect("one point a basis function")
@@ -26,7 +35,7 @@ impl CurvePoints for Curve<f64, 3> {
     }
 
     fn at(&self, x: f64) -> Vector {
-        Self::at(self, &x).expect(INSIDE)
+        inside(Self::at(self, &x))
     }
 
     fn coordinates(point: Vector) -> Point {
@@ -34,12 +43,12 @@ impl CurvePoints for Curve<f64, 3> {
     }
 
     fn derivatives(&self, x: f64) -> [Vector; 3] {
-        array(self.derivatives_at(&x, 2).expect(INSIDE))
+        array(inside(self.derivatives_at(&x, 2)))
     }
 
     fn fill(&self, xs: &[f64], out: &mut Vec<Vector>) {
         out.resize(xs.len(), Vector::zeros());
-        self.eval_into(xs, out).expect(INSIDE);
+        inside(self.eval_into(xs, out));
     }
 }
 
@@ -52,7 +61,7 @@ impl CurvePoints for NurbsCurve<f64, 3> {
     }
 
     fn at(&self, x: f64) -> Vector {
-        Self::at(self, &x).expect(INSIDE)
+        inside(Self::at(self, &x))
     }
 
     fn coordinates(point: Vector) -> Point {
@@ -60,11 +69,11 @@ impl CurvePoints for NurbsCurve<f64, 3> {
     }
 
     fn derivatives(&self, x: f64) -> [Vector; 3] {
-        array(self.derivatives_at(&x, 2).expect(INSIDE))
+        array(inside(self.derivatives_at(&x, 2)))
     }
 
     fn fill(&self, xs: &[f64], out: &mut Vec<Vector>) {
-        *out = self.eval(xs).expect(INSIDE);
+        *out = inside(self.eval(xs));
     }
 }
 
@@ -77,7 +86,7 @@ impl SurfacePoints for Surface<f64, 3> {
     }
 
     fn at(&self, u: f64, v: f64) -> Vector {
-        Self::at(self, &u, &v).expect(INSIDE)
+        inside(Self::at(self, &u, &v))
     }
 
     fn coordinates(point: Vector) -> Point {
@@ -85,7 +94,7 @@ impl SurfacePoints for Surface<f64, 3> {
     }
 
     fn tangents(&self, u: f64, v: f64) -> [Vector; 3] {
-        self.tangents_at(&u, &v).expect(INSIDE)
+        inside(self.tangents_at(&u, &v))
     }
 
     fn normal(&self, u: f64, v: f64) -> Vector {
@@ -93,11 +102,11 @@ impl SurfacePoints for Surface<f64, 3> {
     }
 
     fn fill(&self, pairs: &[(f64, f64)], out: &mut Vec<Vector>) {
-        *out = self.eval(pairs).expect(INSIDE);
+        *out = inside(self.eval(pairs));
     }
 
     fn grid(&self, us: &[f64], vs: &[f64], out: &mut Vec<Vector>) {
-        *out = self.eval_grid(us, vs).expect(INSIDE);
+        *out = inside(self.eval_grid(us, vs));
     }
 }
 
@@ -111,7 +120,7 @@ impl SurfacePoints for NurbsSurface<f64, 3> {
     }
 
     fn at(&self, u: f64, v: f64) -> Vector {
-        Self::at(self, &u, &v).expect(INSIDE)
+        inside(Self::at(self, &u, &v))
     }
 
     fn coordinates(point: Vector) -> Point {
@@ -119,7 +128,7 @@ impl SurfacePoints for NurbsSurface<f64, 3> {
     }
 
     fn tangents(&self, u: f64, v: f64) -> [Vector; 3] {
-        self.tangents_at(&u, &v).expect(INSIDE)
+        inside(self.tangents_at(&u, &v))
     }
 
     fn normal(&self, u: f64, v: f64) -> Vector {
@@ -127,11 +136,11 @@ impl SurfacePoints for NurbsSurface<f64, 3> {
     }
 
     fn fill(&self, pairs: &[(f64, f64)], out: &mut Vec<Vector>) {
-        *out = self.eval(pairs).expect(INSIDE);
+        *out = inside(self.eval(pairs));
     }
 
     fn grid(&self, us: &[f64], vs: &[f64], out: &mut Vec<Vector>) {
-        *out = self.eval_grid(us, vs).expect(INSIDE);
+        *out = inside(self.eval_grid(us, vs));
     }
 }
 
