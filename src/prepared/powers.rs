@@ -143,6 +143,10 @@ pub(crate) fn single_derivatives<const COUNT: usize, T: Scalar, C: Coeff<T>>(
 
 /// Makes derivatives with respect to `x` of Taylor coefficients in `s`.
 #[inline(always)]
+#[allow(
+    clippy::needless_range_loop,
+    reason = "an iterator would leave the array in memory, and it is on its way to a caller"
+)]
 fn differentiate<const COUNT: usize, T: Scalar, C: Coeff<T>>(taylor: &mut [C; COUNT], slope: &T) {
     let mut factor = T::one();
     for d in 1..COUNT {
