@@ -1,6 +1,6 @@
 //! Bernstein polynomials: binomial coefficients, and products of polynomials piece by piece.
 
-use crate::coeff::Coeff;
+use crate::coeff::{Coeff, cleared};
 use crate::scalar::Scalar;
 
 /// `C(n, 0), ..., C(n, n)`.
@@ -38,24 +38,72 @@ impl<T: Scalar> Shares<T> {
 
     /// The Bernstein coefficients `Σ_{i+j=k} share(i, j) pair(a_i, b_j)` of the products of the pieces of `left`
     /// (`p + 1` coefficients each) and of `right` (`q + 1` each).
-    pub(crate) fn multiply<A, B, C: Coeff<T>>(
+    pub(crate) fn multiply<A: Coeff<T>, B: Coeff<T>, C: Coeff<T>>(
         &self,
         left: &[A],
         right: &[B],
         pair: &impl Fn(&A, &B) -> C,
     ) -> Vec<C> {
-        let degree = self.p + self.q;
-        let mut products = Vec::with_capacity(left.len() / (self.p + 1) * (degree + 1));
-        for (a, b) in left.chunks(self.p + 1).zip(right.chunks(self.q + 1)) {
-            for k in 0..=degree {
-                let mut meeting = self.meeting(k);
-                let (i, j, share) = meeting.next().expect("some pair meets in every coefficient");
-                let mut sum = pair(&a[i], &b[j]);
-                sum.scale(share);
-                meeting.for_each(|(i, j, share)| sum.add_scaled(share, &pair(&a[i], &b[j])));
-                products.push(sum);
-            }
+        let (mut products, divisors) = self.multiply_cleared(left, right, pair);
+        for (piece, divisor) in products.chunks_mut(self.p + self.q + 1).zip(&divisors) {
+            piece.iter_mut().filter(|_| !divisor.is_one()).for_each(|c| c.divide(divisor));
         }
         products
+    }
+
+    /// The same with each piece multiplied by a number of its own, as it comes from factors without denominators; no numbers
+    /// stand for ones.
+    pub(crate) fn multiply_cleared<A: Coeff<T>, B: Coeff<T>, C: Coeff<T>>(
+        &self,
+        left: &[A],
+        right: &[B],
+        pair: &impl Fn(&A, &B) -> C,
+    ) -> (Vec<C>, Vec<T>) {
+        let count = left.len() / (self.p + 1);
+        let mut products = Vec::with_capacity(count * (self.p + self.q + 1));
+        let mut divisors = Vec::new();
+        for (a, b) in left.chunks(self.p + 1).zip(right.chunks(self.q + 1)) {
+            if T::EXACT {
+                let ((a, d), (b, e)) = (cleared(a), cleared(b));
+                self.combine_pieces(&a, &b, pair, &mut products);
+                divisors.push(d * e);
+            } else {
+                self.add_pieces(a, b, pair, &mut products);
+            }
+        }
+        (products, divisors)
+    }
+
+    /// One piece, each coefficient summed term by term.
+    fn add_pieces<A, B, C: Coeff<T>>(
+        &self,
+        a: &[A],
+        b: &[B],
+        pair: &impl Fn(&A, &B) -> C,
+        products: &mut Vec<C>,
+    ) {
+        for k in 0..=self.p + self.q {
+            let mut meeting = self.meeting(k);
+            let (i, j, share) = meeting.next().expect("some pair meets in every coefficient");
+            let mut sum = pair(&a[i], &b[j]);
+            sum.scale(share);
+            meeting.for_each(|(i, j, share)| sum.add_scaled(share, &pair(&a[i], &b[j])));
+            products.push(sum);
+        }
+    }
+
+    /// One piece, each coefficient summed at once.
+    fn combine_pieces<A, B, C: Coeff<T>>(
+        &self,
+        a: &[A],
+        b: &[B],
+        pair: &impl Fn(&A, &B) -> C,
+        products: &mut Vec<C>,
+    ) {
+        for k in 0..=self.p + self.q {
+            let terms: Vec<_> = self.meeting(k).map(|(i, j, share)| (share, pair(&a[i], &b[j]))).collect();
+            let sum = C::combine(terms.iter().map(|(share, c)| (*share, c)));
+            products.push(sum.expect("some pair meets in every coefficient"));
+        }
     }
 }

@@ -3,6 +3,7 @@
 use crate::error::{Error, Result};
 use crate::scalar::Scalar;
 use nalgebra::SVector;
+use std::borrow::Cow;
 
 /// A vector over `T`: scalars themselves, points, or rows of either.
 ///
@@ -28,6 +29,11 @@ pub trait Coeff<T: Scalar>: Clone + PartialEq + std::fmt::Debug + Send + Sync + 
 
     /// Multiplies by `weight`.
     fn scale(&mut self, weight: &T);
+
+    /// Divides by `divisor`.
+    fn divide(&mut self, divisor: &T) {
+        self.scale(&(T::one() / divisor));
+    }
 
     /// The scalars it is made of.
     fn components(&self) -> impl Iterator<Item = &T>;
@@ -104,6 +110,14 @@ pub(crate) fn check_pair<T: Scalar, C: Coeff<T>>(c: &C, d: &C) -> Result<()> {
     if c.same_shape(d) { Ok(()) } else { Err(Error::Ragged { index: 0 }) }
 }
 
+/// The multiples of `coeffs` by the number that [`Scalar::clear`] finds for their components, and that number.
+pub(crate) fn cleared<T: Scalar, C: Coeff<T>>(coeffs: &[C]) -> (Cow<'_, [C]>, T) {
+    match T::clear(coeffs.iter().flat_map(C::components)) {
+        Some(factor) => (coeffs.iter().map(|c| c.scaled(&factor)).collect(), factor),
+        None => (Cow::Borrowed(coeffs), T::one()),
+    }
+}
+
 impl<T: Scalar> Coeff<T> for T {
     type Over<U: Scalar> = U;
 
@@ -120,6 +134,11 @@ impl<T: Scalar> Coeff<T> for T {
     #[inline]
     fn scale(&mut self, weight: &T) {
         *self *= weight;
+    }
+
+    #[inline]
+    fn divide(&mut self, divisor: &T) {
+        *self /= divisor;
     }
 
     fn components(&self) -> impl Iterator<Item = &T> {
@@ -156,6 +175,11 @@ impl<T: Scalar, const N: usize> Coeff<T> for SVector<T, N> {
         for i in 0..N {
             self[i] *= weight;
         }
+    }
+
+    #[inline]
+    fn divide(&mut self, divisor: &T) {
+        T::divide(self.as_mut_slice(), divisor);
     }
 
     fn components(&self) -> impl Iterator<Item = &T> {

@@ -68,7 +68,7 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
             let (run, after) = rest.split_at(1 + others.iter().take_while(stays).count());
             rest = after;
             match self.degree() {
-                p if run.len() <= 3 * p => run.iter().for_each(|x| take(self.on_span(k, x))),
+                p if T::EXACT || run.len() <= 3 * p => run.iter().for_each(|x| take(self.on_span(k, x))),
                 1 => self.on_run_of_order::<2>(k, run, &mut take),
                 2 => self.on_run_of_order::<3>(k, run, &mut take),
                 3 => self.on_run_of_order::<4>(k, run, &mut take),

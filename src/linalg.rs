@@ -3,6 +3,9 @@
 //! A row is a short run of entries plus a **border**: the last few columns, kept apart. A periodic collocation
 //! matrix is banded but for its corners, and with the corners in the border it is banded altogether. Each column is
 //! eliminated with row exchanges among the rows that start there, so the cost is linear in the number of unknowns.
+//!
+//! Over a field with whole numbers a row, its right-hand side included, is kept whole and without a common factor
+//! ([`Scalar::primitive`]): elimination multiplies crosswise, and the only fractions are those of the solution.
 
 use crate::coeff::Coeff;
 use crate::error::{Error, Result};
@@ -62,6 +65,7 @@ impl<T: Scalar, C: Coeff<T>> BandedSystem<T, C> {
         let inside = self.unknowns - self.border;
         let noise = self.noise();
         self.rows.sort_by_key(|row| row.first);
+        self.rows.iter_mut().for_each(Row::make_primitive);
         let mut waiting = VecDeque::from(std::mem::take(&mut self.rows));
         let mut active: Vec<Row<T, C>> = Vec::new();
         let mut done: Vec<Row<T, C>> = Vec::with_capacity(self.unknowns);
@@ -108,11 +112,17 @@ impl<T: Scalar, C: Coeff<T>> BandedSystem<T, C> {
             };
             let border = if column < inside { &row.border[..] } else { &[] };
             let pivot = own.expect("a pivot row has an entry in its column");
+            let known = (after..).zip(entries).chain((inside..).zip(border));
+            let known = known.map(|(j, weight)| (weight, &reversed[self.unknowns - 1 - j]));
             let mut rest = row.right.clone();
-            for (j, weight) in (after..).zip(entries).chain((inside..).zip(border)) {
-                rest.add_scaled(&-weight.clone(), &reversed[self.unknowns - 1 - j]);
+            if T::EXACT {
+                let sum = C::combine(known).map(|sum| rest.minus(&sum));
+                rest = sum.unwrap_or(rest);
+                rest.divide(pivot);
+            } else {
+                known.for_each(|(weight, c)| rest.add_scaled(&-weight.clone(), c));
+                rest.scale(&(T::one() / pivot));
             }
-            rest.scale(&(T::one() / pivot));
             if !rest.all_finite() {
                 return Err(Error::Singular { row: row.index });
             }
@@ -131,7 +141,13 @@ impl<T: Scalar, C: Coeff<T>> Row<T, C> {
     /// Makes the entry in `column` zero by a multiple of `pivot`.
     fn eliminate(&mut self, pivot: &Self, column: usize) {
         let Some(entry) = self.entry(column).filter(|e| !e.is_zero()) else { return };
-        let factor = -(entry.clone() / pivot.entry(column).expect("a pivot row has an entry in its column"));
+        let divisor = pivot.entry(column).expect("a pivot row has an entry in its column");
+        if let Some((own, other)) = whole_factors(entry, divisor) {
+            self.combine_whole(pivot, &own, &other);
+            self.run[column - self.first] = T::zero();
+            return self.make_primitive();
+        }
+        let factor = -(entry.clone() / divisor);
         let reach = (pivot.first + pivot.run.len()).max(self.first + self.run.len());
         self.run.resize(reach - self.first, T::zero());
         for j in column..pivot.first + pivot.run.len() {
@@ -146,15 +162,49 @@ impl<T: Scalar, C: Coeff<T>> Row<T, C> {
         if self.border[k].is_zero() {
             return;
         }
+        if let Some((own, other)) = whole_factors(&self.border[k], &pivot.border[k]) {
+            self.combine_whole(pivot, &own, &other);
+            self.border[k] = T::zero();
+            return self.make_primitive();
+        }
         let factor = -(self.border[k].clone() / &pivot.border[k]);
         self.combine_rest(pivot, &factor);
         self.border[k] = T::zero();
+    }
+
+    /// Becomes `own` times itself plus `other` times `pivot`.
+    fn combine_whole(&mut self, pivot: &Self, own: &T, other: &T) {
+        let reach = (pivot.first + pivot.run.len()).max(self.first + self.run.len());
+        self.run.resize(reach - self.first, T::zero());
+        self.run.iter_mut().filter(|x| !x.is_zero()).for_each(|x| *x *= own);
+        for (j, y) in (pivot.first..).zip(&pivot.run).filter(|(_, y)| !y.is_zero()) {
+            self.run[j - self.first] += other.clone() * y;
+        }
+        for (x, y) in self.border.iter_mut().zip(&pivot.border) {
+            *x = T::dot([(own, &*x), (other, y)].into_iter());
+        }
+        let right = C::combine([(own, &self.right), (other, &pivot.right)].into_iter());
+        self.right = right.expect("two terms");
+    }
+
+    /// Over a field with whole numbers, makes those of the row whole and without a common factor.
+    fn make_primitive(&mut self) {
+        let entries = self.run.iter().chain(&self.border).chain(self.right.components());
+        let Some(factor) = T::primitive(entries).filter(|factor| !factor.is_one()) else { return };
+        self.run.iter_mut().chain(&mut self.border).filter(|x| !x.is_zero()).for_each(|x| *x *= &factor);
+        self.right.scale(&factor);
     }
 
     fn combine_rest(&mut self, pivot: &Self, factor: &T) {
         self.border.iter_mut().zip(&pivot.border).for_each(|(mine, theirs)| *mine += factor.clone() * theirs);
         self.right.add_scaled(factor, &pivot.right);
     }
+}
+
+/// Whole numbers `a` and `b` without a common factor for which `a entry + b pivot = 0`, if the field has such numbers.
+fn whole_factors<T: Scalar>(entry: &T, pivot: &T) -> Option<(T, T)> {
+    let factor = T::primitive([entry, pivot].into_iter())?;
+    Some((pivot.clone() * &factor, -(entry.clone() * factor)))
 }
 
 /// Removes the row with the largest entry above `noise`; over an exact field the first that is not zero.
@@ -180,6 +230,39 @@ fn singular<T, C>(row: Option<&Row<T, C>>, column: usize) -> Error {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::dense::solve_dense;
+    use crate::exact::Q;
+    use nalgebra::{DMatrix, SVector};
+    use proptest::collection::vec;
+    use proptest::prelude::*;
+
+    fn number() -> impl Strategy<Value = Q> {
+        let few = (-3..=3i64, 1..=4i64).prop_map(|(p, q)| Q::frac(p, q));
+        let image = (-9.0..9.0f64).prop_map(|x| Q::try_from(x).unwrap());
+        prop_oneof![3 => few, 2 => image]
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { cases: 300, failure_persistence: None, ..ProptestConfig::default() })]
+
+        #[test]
+        fn banded_systems_are_systems(
+            n in 1..=7_usize, border in 0..=3_usize, firsts in vec(0..7_usize, 7), weights in vec(number(), 28), right in vec(number(), 14)
+        ) {
+            let mut system = BandedSystem::<Q, SVector<Q, 2>>::new(n, border);
+            let mut matrix = DMatrix::from_element(n, n, Q::int(0));
+            let sides = DMatrix::from_fn(n, 2, |i, j| right[2 * i + j].clone());
+            for i in 0..n {
+                let (first, run) = (if firsts[i] < 5 { i } else { firsts[i] }, &weights[4 * i..4 * i + 1 + firsts[i] % 4]);
+                system.push(first, run, SVector::from([sides[(i, 0)].clone(), sides[(i, 1)].clone()]));
+                run.iter().enumerate().for_each(|(k, w)| matrix[(i, (first + k) % n)] += w);
+            }
+            match (system.solve(), solve_dense(&matrix, &sides)) {
+                (Ok(x), Ok(expected)) => prop_assert!((0..n).all(|i| x[i][0] == expected[(i, 0)] && x[i][1] == expected[(i, 1)])),
+                (found, expected) => prop_assert!(found.is_err() && expected.is_err()),
+            }
+        }
+    }
 
     #[test]
     fn solves_a_cyclic_system_with_row_exchanges() {

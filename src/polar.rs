@@ -10,6 +10,8 @@
 //! one step an argument, each over an interval `[t_i, t_j]` that contains the span: no denominator can vanish, and
 //! while the free arguments stay within `[t_lo, t_{hi+1}]` every step is a convex combination.
 
+use crate::coeff::Coeff;
+use crate::functional::weigh;
 use crate::scalar::Scalar;
 
 /// The weights of the polar value at the free arguments `arg(0), ..., arg(q - 1)` beside the run
@@ -36,6 +38,26 @@ pub(crate) fn blossom<'a, T: Scalar>(
         }
         weights[r] = saved;
     }
+}
+
+/// The polar value itself, where the weights of [`blossom`] are those of `coeffs` from `first`, indices wrapped.
+///
+/// `weights` is room for them; over an exact field they may be left as whole numbers, see [`Scalar::whole_blossom`].
+#[inline(always)]
+pub(crate) fn polar_value<'a, T: Scalar, C: Coeff<T>>(
+    t: &'a [T],
+    (lo, hi): (usize, usize),
+    arg: impl Fn(usize) -> &'a T,
+    weights: &mut [T],
+    (first, coeffs): (usize, &[C]),
+) -> C {
+    let Some(denominator) = T::whole_blossom(t, lo, hi, &arg, weights) else {
+        blossom(t, lo, hi, arg, weights);
+        return weigh(first, weights, coeffs);
+    };
+    let mut value = weigh(first, weights, coeffs);
+    value.divide(&denominator);
+    value
 }
 
 /// Appends the weights of the polar value at `args` on the Bernstein coefficients over `[a, b]`; returns the index of
@@ -91,4 +113,47 @@ pub(crate) fn take_run<'a, T: Scalar>(
         if **x == t[hi + 1] { hi += 1 } else { free.push(x) }
     }
     (lo, hi)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::exact::Q;
+    use proptest::collection::vec;
+    use proptest::prelude::*;
+
+    fn number() -> impl Strategy<Value = Q> {
+        let few = (-9..=9i64, 1..=6i64).prop_map(|(p, q)| Q::frac(p, q));
+        let image = prop_oneof![-9.0..9.0f64, -1e-9..1e-9].prop_map(|x| Q::try_from(x).unwrap());
+        let tiny = (-9..=9i64, 0..3u32)
+            .prop_map(|(p, k)| Q::int(p) / Q::int(1 << 60) / Q::int(3_i64.pow(39 * (k / 2))));
+        prop_oneof![3 => few, 3 => image, 1 => tiny]
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(500))]
+
+        #[test]
+        fn whole_weights_are_the_weights(
+            q in 0..11_usize, mut knots in vec(number(), 22), args in vec(number(), 11), even in any::<bool>()
+        ) {
+            if even {
+                knots = (0..22).map(Q::int).collect();
+            }
+            knots.sort();
+            knots.dedup();
+            prop_assume!(knots.len() >= 2 * q.max(1));
+            let span = knots.len() / 2 - 1;
+            let mut weights = vec![Q::int(0); q + 1];
+            blossom(&knots, span, span, |r| &args[r], &mut weights);
+            let mut whole = vec![Q::int(7); q + 1];
+            match Q::whole_blossom(&knots, span, span, &|r| &args[r], &mut whole) {
+                Some(d) => {
+                    prop_assert!(whole.iter().all(Q::is_integer));
+                    prop_assert_eq!(whole.into_iter().map(|n| n / &d).collect::<Vec<_>>(), weights);
+                }
+                None => prop_assert!(whole.iter().all(|n| *n == Q::int(7))),
+            }
+        }
+    }
 }

@@ -48,6 +48,10 @@ impl<T: Scalar, C: Coeff<T>> Coeff<T> for Row<C> {
         self.iter_mut().for_each(|c| c.scale(weight));
     }
 
+    fn divide(&mut self, divisor: &T) {
+        self.iter_mut().for_each(|c| c.divide(divisor));
+    }
+
     fn components(&self) -> impl Iterator<Item = &T> {
         self.iter().flat_map(C::components)
     }

@@ -4,6 +4,8 @@
 //! with it are `f64` and the exact rationals [`Q`](crate::exact::Q); a dual number or a field of fractions serves as
 //! well. What needs square roots asks for a [`Real`].
 
+use crate::error::Result;
+use nalgebra::DMatrix;
 use num_traits::{One, Zero};
 use std::fmt::Display;
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
@@ -95,6 +97,70 @@ pub trait Scalar:
     /// The sum of products `Σ a b`, the hook by which an exact field may reduce a whole row once.
     fn dot<'a>(pairs: impl Iterator<Item = (&'a Self, &'a Self)>) -> Self {
         pairs.fold(Self::zero(), |sum, (a, b)| sum + a.clone() * b)
+    }
+
+    /// Divides all `values` by one `divisor`, the hook by which an exact field may look for common factors once.
+    ///
+    /// # Panics
+    /// If `divisor` is zero and the field has no infinities.
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::{Q, Scalar};
+    /// let mut values = [2, 3].map(Q::int);
+    /// Q::divide(&mut values, &Q::int(6));
+    /// assert_eq!(values, [Q::frac(1, 3), Q::frac(1, 2)]);
+    /// ```
+    #[inline]
+    fn divide(values: &mut [Self], divisor: &Self) {
+        values.iter_mut().for_each(|x| *x /= divisor);
+    }
+
+    /// A number that is not zero and whose multiples of `values` are cheaper to multiply and add: a common denominator.
+    /// `None` where that is not worth a division in the end.
+    #[inline]
+    fn clear<'a>(values: impl Iterator<Item = &'a Self>) -> Option<Self> {
+        let _ = values;
+        None
+    }
+
+    /// The number, not zero, whose multiples of `values` are whole numbers without a common factor, if there are such
+    /// numbers and some value is not zero: eliminations then need no fractions. `None` for all other fields.
+    #[inline]
+    fn primitive<'a>(values: impl Iterator<Item = &'a Self>) -> Option<Self> {
+        let _ = values;
+        None
+    }
+
+    /// The solution of `matrix x = right`, the hook by which a field may solve in another way than by elimination; see
+    /// [`solve_dense`](crate::dense::solve_dense), which has checked the shapes.
+    #[inline]
+    fn solve(matrix: &DMatrix<Self>, right: &DMatrix<Self>) -> Option<Result<DMatrix<Self>>> {
+        let _ = (matrix, right);
+        None
+    }
+
+    /// The weights of a polar value as whole numbers over one denominator, which is returned: the hook by which an exact
+    /// field may do without any reduction before the value. `None` where the weights should be made by dividing.
+    ///
+    /// The polar value has the arguments `arg(0), ..., arg(q - 1)` beside the run of knots `t_{lo+1}, ..., t_{hi}`, and its
+    /// `q + 1 = weights.len()` weights come by one step an argument. With `w_0 = 1`, step `r = 1, ..., q` takes
+    ///
+    /// ```text
+    /// w_j <- w_j (t_{hi+1+j} - x) / d_j + w_{j-1} (x - t_{lo-r+j}) / d_{j-1},   d_j = t_{hi+1+j} - t_{lo+1-r+j},
+    /// ```
+    ///
+    /// `x = arg(r - 1)`, where no `d_j` vanishes. On `None` the weights are left alone.
+    #[inline]
+    fn whole_blossom<'a>(
+        t: &'a [Self],
+        lo: usize,
+        hi: usize,
+        arg: &impl Fn(usize) -> &'a Self,
+        weights: &mut [Self],
+    ) -> Option<Self> {
+        let _ = (t, lo, hi, arg, weights);
+        None
     }
 }
 

@@ -2,9 +2,8 @@
 
 use crate::coeff::{Coeff, check_shapes};
 use crate::error::{Error, Result};
-use crate::functional::weigh;
 use crate::limits::check_degree;
-use crate::polar::blossom;
+use crate::polar::polar_value;
 use crate::scalar::Scalar;
 use crate::space::SplineSpace;
 use crate::window::derivatives;
@@ -219,8 +218,7 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     #[inline]
     fn on_span_of_order<const ORDER: usize>(&self, k: usize, x: &T) -> C {
         let mut weights: [T; ORDER] = std::array::from_fn(|_| T::zero());
-        blossom(self.space.knots(), k, k, |_| x, &mut weights);
-        weigh(k + 1 - ORDER, &weights, &self.coeffs)
+        polar_value(self.space.knots(), (k, k), |_| x, &mut weights, (k + 1 - ORDER, &self.coeffs))
     }
 
     /// The spline over the same space with every coefficient replaced.

@@ -62,6 +62,12 @@ impl<T: Scalar, C: Coeff<T>> Coeff<T> for Weighted<T, C> {
         self.weight.scale(weight);
     }
 
+    #[inline]
+    fn divide(&mut self, divisor: &T) {
+        self.point.divide(divisor);
+        self.weight.divide(divisor);
+    }
+
     fn components(&self) -> impl Iterator<Item = &T> {
         self.point.components().chain([&self.weight])
     }

@@ -2,14 +2,17 @@
 //!
 //! The denominator is kept as `odd · 2^twos`, and the sum is reduced once, at the end. Terms are aligned by shifts for
 //! the powers of two and by the least common multiple for the odd parts; on lossless images of `f64` the odd part is one
-//! and no gcd is taken at all.
+//! and no gcd is taken at all. Denominators of one spline have most factors in common, so that their multiple is little
+//! longer than each.
 
 use super::Q;
 use super::Repr::{Big, Small};
 use super::fraction::{Fraction, cancelled, divided};
 use super::gcd::{gcd, power_of_two, word_gcd};
+use super::window::Window;
 use num_bigint::BigInt;
 use num_traits::{One, Zero};
+use std::borrow::Cow;
 
 /// The exact sum of products, in words as long as it fits.
 pub(super) fn dot<'a>(mut pairs: impl Iterator<Item = (&'a Q, &'a Q)>) -> Q {
@@ -18,8 +21,10 @@ pub(super) fn dot<'a>(mut pairs: impl Iterator<Item = (&'a Q, &'a Q)>) -> Q {
         if let Some(next) = sum.plus(a, b) {
             sum = next;
         } else {
-            let start = BigSum::from(sum.reduced()).plus(a, b);
-            return pairs.fold(start, |sum, (a, b)| sum.plus(a, b)).reduced();
+            let (start, one) = (sum.reduced(), Q::one());
+            let mut rest = vec![(&start, &one), (a, b)];
+            pairs.for_each(|(a, b)| rest.push((a, b)));
+            return big_dot(&rest);
         }
     }
     sum.reduced()
@@ -85,68 +90,46 @@ fn multiple(x: i128, n: i64) -> Option<i128> {
 }
 
 /// The same in big integers.
-///
-/// The odd denominators of terms have few factors in common as a rule. A short common factor is cancelled at once, which
-/// takes a short gcd; only a long one leaves the sum in need of a long gcd at the end.
-struct BigSum {
-    num: BigInt,
-    odd: BigInt,
-    twos: u64,
-    reducible: bool,
+fn big_dot(pairs: &[(&Q, &Q)]) -> Q {
+    dyadic_dot(pairs).unwrap_or_else(|| fraction_dot(pairs))
 }
 
-impl From<Q> for BigSum {
-    fn from(q: Q) -> Self {
-        let Fraction { num, den } = q.into();
-        let twos = den.trailing_zeros().expect("a denominator is not zero");
-        Self { num, odd: den >> twos, twos, reducible: false }
+/// The sum of products of numbers with powers of two for denominators, if all are and the sum has room on the stack.
+fn dyadic_dot(pairs: &[(&Q, &Q)]) -> Option<Q> {
+    let (mut bits, mut twos) = (0, 0);
+    for (a, b) in pairs {
+        let (above, below) = (bits_above(a) + bits_above(b), dyadic_exponent(a)? + dyadic_exponent(b)?);
+        // Of the product as it is; the shift to the common denominator comes on top.
+        (bits, twos) = (bits.max(above.saturating_sub(below)), twos.max(below));
     }
+    let mut window = Window::with_room(bits + twos, pairs.len())?;
+    for (a, b) in pairs {
+        let k = twos - dyadic_exponent(a)? - dyadic_exponent(b)?;
+        match (&a.0, &b.0) {
+            (&Small { num: a, .. }, &Small { num: b, .. }) => window.add_words(a, b, k),
+            (&Small { num: a, .. }, Big(b)) => window.add_word(&b.num, a, k),
+            (Big(a), &Small { num: b, .. }) => window.add_word(&a.num, b, k),
+            (Big(a), Big(b)) => window.add(&a.num, &b.num, k),
+        }
+    }
+    Some(over_twos(window.value(), twos))
 }
 
-impl BigSum {
-    fn plus(self, a: &Q, b: &Q) -> Self {
-        if let (Some(j), Some(k)) = (dyadic_exponent(a), dyadic_exponent(b)) {
-            let term = match (&a.0, &b.0) {
-                (&Small { num: a, .. }, &Small { num: b, .. }) => (i128::from(a) * i128::from(b)).into(),
-                _ => &*a.parts().0 * &*b.parts().0,
-            };
-            return self.plus_term(term, None, j + k);
-        }
-        let term = Self::from(a * b);
-        self.plus_term(term.num, Some(term.odd).filter(|odd| !odd.is_one()), term.twos)
+/// The fraction `num / 2^twos`.
+fn over_twos(mut num: BigInt, twos: u64) -> Q {
+    let Some(zeros) = num.trailing_zeros() else { return Q::zero() };
+    let k = zeros.min(twos);
+    if k > 0 {
+        num >>= k;
     }
+    Fraction { num, den: BigInt::one() << (twos - k) }.into()
+}
 
-    fn plus_term(mut self, mut term: BigInt, odd: Option<BigInt>, twos: u64) -> Self {
-        if twos > self.twos {
-            self.num <<= twos - self.twos;
-            self.twos = twos;
-        } else if twos < self.twos {
-            term <<= self.twos - twos;
-        }
-        let odd = match odd {
-            None if self.odd.is_one() => return Self { num: self.num + term, ..self },
-            None => return Self { num: self.num + term * &self.odd, ..self },
-            Some(odd) => odd,
-        };
-        if odd == self.odd {
-            return Self { num: self.num + term, reducible: true, ..self };
-        }
-        let g = gcd(&self.odd, &odd);
-        let (ours, theirs) = (divided(&odd, &g), divided(&self.odd, &g));
-        let (num, odd) = (self.num * &*ours + term * &*theirs, &self.odd * &*ours);
-        if g.bits() > 128 {
-            return Self { num, odd, reducible: true, ..self };
-        }
-        let h = gcd(&num, &g);
-        Self { num: cancelled(num, &h), odd: cancelled(odd, &h), ..self }
-    }
-
-    fn reduced(mut self) -> Q {
-        let Some(zeros) = self.num.trailing_zeros() else { return Q::zero() };
-        let k = zeros.min(self.twos);
-        self.num >>= k;
-        let g = if self.reducible { gcd(&self.num, &self.odd) } else { BigInt::one() };
-        Fraction { num: cancelled(self.num, &g), den: cancelled(self.odd, &g) << (self.twos - k) }.into()
+/// The size of the numerator in bits.
+fn bits_above(x: &Q) -> u64 {
+    match &x.0 {
+        Small { num, .. } => (64 - num.unsigned_abs().leading_zeros()).into(),
+        Big(f) => f.num.bits(),
     }
 }
 
@@ -156,6 +139,99 @@ fn dyadic_exponent(x: &Q) -> Option<u64> {
         Small { den, .. } => (den & (den - 1) == 0).then(|| den.trailing_zeros().into()),
         Big(f) => power_of_two(&f.den),
     }
+}
+
+/// The sum of any products: the factors on either side over the least common multiple of their denominators, and the sum
+/// reduced by one multiple after the other.
+fn fraction_dot(pairs: &[(&Q, &Q)]) -> Q {
+    let terms: Vec<[Part<'_>; 2]> = pairs
+        .iter()
+        .filter(|(a, b)| !a.is_zero() && !b.is_zero())
+        .map(|(a, b)| [Part::new(a), Part::new(b)])
+        .collect();
+    let multiples = [0, 1].map(|side| {
+        let odds = terms.iter().filter_map(|term| term[side].odd.as_deref());
+        odds.fold(None, |multiple, odd| Some(lcm(multiple, odd)))
+    });
+    let twos = terms.iter().map(|[a, b]| a.twos + b.twos).max().unwrap_or(0);
+    let wholes = terms.iter().map(|[a, b]| {
+        let [m, n] = multiples.each_ref().map(Option::as_ref);
+        (a.times(m), b.times(n), twos - a.twos - b.twos)
+    });
+    let mut num = sum_of_products(&wholes.collect::<Vec<_>>());
+    let Some(zeros) = num.trailing_zeros() else { return Q::zero() };
+    let k = zeros.min(twos);
+    if k > 0 {
+        num >>= k;
+    }
+    let mut den = BigInt::one();
+    for multiple in multiples.into_iter().flatten() {
+        let g = gcd(&num, &multiple);
+        num = cancelled(num, &g);
+        den = if den.is_one() { cancelled(multiple, &g) } else { den * cancelled(multiple, &g) };
+    }
+    Fraction { num, den: den << (twos - k) }.into()
+}
+
+/// The fraction `num / (odd 2^twos)`, where no `odd` stands for one.
+pub(super) struct Part<'a> {
+    pub(super) num: Cow<'a, BigInt>,
+    pub(super) odd: Option<Cow<'a, BigInt>>,
+    pub(super) twos: u64,
+}
+
+impl<'a> Part<'a> {
+    pub(super) fn new(x: &'a Q) -> Self {
+        let (num, odd, twos) = match &x.0 {
+            &Small { num, den } => {
+                let twos = den.trailing_zeros();
+                let odd = den >> twos;
+                (Cow::Owned(num.into()), (odd != 1).then(|| Cow::Owned(odd.into())), twos.into())
+            }
+            Big(f) => {
+                let twos = f.den.trailing_zeros().expect("a denominator is not zero");
+                let odd = match twos {
+                    _ if f.den.bits() == twos + 1 => None,
+                    0 => Some(Cow::Borrowed(&f.den)),
+                    _ => Some(Cow::Owned(&f.den >> twos)),
+                };
+                (Cow::Borrowed(&f.num), odd, twos)
+            }
+        };
+        Self { num, odd, twos }
+    }
+
+    /// The numerator over `multiple` for the odd denominator.
+    fn times(&self, multiple: Option<&BigInt>) -> Cow<'_, BigInt> {
+        match (multiple, &self.odd) {
+            (None, _) => Cow::Borrowed(&self.num),
+            (Some(m), None) => Cow::Owned(&*self.num * m),
+            (Some(m), Some(odd)) if **odd == *m => Cow::Borrowed(&self.num),
+            (Some(m), Some(odd)) => Cow::Owned(&*self.num * (m / &**odd)),
+        }
+    }
+}
+
+/// The least common multiple of positive numbers.
+pub(super) fn lcm(multiple: Option<BigInt>, odd: &BigInt) -> BigInt {
+    match multiple {
+        None => odd.clone(),
+        Some(m) if m == *odd => m,
+        Some(m) => {
+            let g = gcd(&m, odd);
+            if g == *odd { m } else { m * &*divided(odd, &g) }
+        }
+    }
+}
+
+/// The sum `Σ a b 2^k`.
+fn sum_of_products(terms: &[(Cow<'_, BigInt>, Cow<'_, BigInt>, u64)]) -> BigInt {
+    let bits = terms.iter().map(|(a, b, k)| a.bits() + b.bits() + k).max().unwrap_or(0);
+    let Some(mut window) = Window::with_room(bits, terms.len()) else {
+        return terms.iter().map(|(a, b, k)| (&**a * &**b) << k).sum();
+    };
+    terms.iter().for_each(|(a, b, k)| window.add(a, b, *k));
+    window.value()
 }
 
 #[cfg(test)]

@@ -5,7 +5,7 @@
 //! Euclid's algorithm, and the whole run is applied to the long numbers at once.
 
 use num_bigint::{BigInt, BigUint};
-use num_traits::{One, ToPrimitive, Zero};
+use num_traits::{One, ToPrimitive};
 
 /// The greatest common divisor of words, positive; not both are zero and neither is `i64::MIN`.
 #[inline]
@@ -67,7 +67,7 @@ pub(super) fn power_of_two(x: &BigInt) -> Option<u64> {
 
 /// The greatest common divisor of `x >= y`.
 fn ordered_gcd(x: &BigUint, y: &BigUint) -> BigUint {
-    let Some(word) = y.to_u128() else { return long_gcd(x.clone(), y.clone()) };
+    let Some(word) = y.to_u128() else { return long_gcd(x, y) };
     if word == 0 {
         return x.clone();
     }
@@ -78,60 +78,90 @@ fn ordered_gcd(x: &BigUint, y: &BigUint) -> BigUint {
 }
 
 /// The same where `y` is longer than a double word.
-fn long_gcd(mut x: BigUint, mut y: BigUint) -> BigUint {
-    while y.bits() > u128::BITS.into() {
-        // The leading words of numbers of different length foretell nothing.
-        if x.bits() < y.bits() + 32 {
-            (x, y) = runs(&x, &y);
-        }
-        // The quotient that was not foretold.
-        if !y.is_zero() {
-            x %= &y;
-            std::mem::swap(&mut x, &mut y);
-        }
-    }
-    ordered_gcd(&x, &y)
-}
-
-/// The remainders of Euclid's algorithm as far as the leading words of each two foretell them.
-fn runs(x: &BigUint, y: &BigUint) -> (BigUint, BigUint) {
+fn long_gcd(x: &BigUint, y: &BigUint) -> BigUint {
     let (mut x, mut y) = (x.to_u64_digits(), y.to_u64_digits());
-    y.resize(x.len(), 0);
-    while x.len() > 2
-        && let Some([[a, b], [c, d]]) = foretold(&x, &y)
-    {
-        let mut carry = (0, 0);
-        for (x, y) in x.iter_mut().zip(&mut y) {
-            let (p, q) = (i128::from(*x), i128::from(*y));
-            // The signs of a and b differ, and those of c and d: no sum leaves 128 bits.
-            let (u, v) = (a * p + b * q + carry.0, c * p + d * q + carry.1);
-            (*x, *y) = (u as u64, v as u64);
-            carry = (u >> 64, v >> 64);
-        }
-        while x.last() == Some(&0) {
-            x.pop();
-            y.pop();
+    while y.len() > 1 {
+        let near = x.len() <= y.len() + 1;
+        match if near { foretold(&x, &y) } else { None } {
+            Some(run) => apply(run, &mut x, &mut y),
+            None => {
+                let rest = number(&x) % number(&y);
+                (x, y) = (y, rest.to_u64_digits());
+            }
         }
     }
-    let number =
-        |words: &[u64]| BigUint::new(words.iter().flat_map(|&w| [w as u32, (w >> 32) as u32]).collect());
-    (number(&x), number(&y))
+    match y.first() {
+        None => number(&x),
+        Some(&word) => match remainder(&x, word) {
+            0 => word.into(),
+            rest => short_gcd(word, rest).into(),
+        },
+    }
 }
 
-/// The matrix of the longest run of Euclidean steps that the 62 leading bits of `x >= y` determine, if any.
-fn foretold(x: &[u64], y: &[u64]) -> Option<[[i128; 2]; 2]> {
+/// The greatest common divisor of words that are not zero.
+fn short_gcd(a: u64, b: u64) -> u64 {
+    odd_gcd(a >> a.trailing_zeros(), b >> b.trailing_zeros()) << (a | b).trailing_zeros()
+}
+
+fn remainder(x: &[u64], word: u64) -> u64 {
+    x.iter()
+        .rev()
+        .fold(0, |rest, digit| ((u128::from(rest) << 64 | u128::from(*digit)) % u128::from(word)) as u64)
+}
+
+pub(super) fn number(words: &[u64]) -> BigUint {
+    BigUint::new(words.iter().flat_map(|&w| [w as u32, (w >> 32) as u32]).collect())
+}
+
+/// Some steps of Euclid's algorithm at once: the new numbers are `±(a x - b y)` and `±(d y - c x)`.
+pub(super) struct Run {
+    pub(super) factors: [[u64; 2]; 2],
+    /// Whether the first of the new numbers has the sign `+`; the second one has the same.
+    pub(super) even: bool,
+}
+
+/// Puts the remainders in the place of the numbers; there are no zeros at their ends.
+pub(super) fn apply(run: Run, x: &mut Vec<u64>, y: &mut Vec<u64>) {
+    let signed = |n: u64, plus: bool| if plus { i128::from(n) } else { -i128::from(n) };
+    let [[a, b], [c, d]] = run.factors;
+    let (a, b) = (signed(a, run.even), signed(b, !run.even));
+    let (c, d) = (signed(c, !run.even), signed(d, run.even));
+    y.resize(x.len(), 0);
+    let mut carry = (0, 0);
+    for (x, y) in x.iter_mut().zip(y.iter_mut()) {
+        let (p, q) = (i128::from(*x), i128::from(*y));
+        // The signs of a and b differ, and those of c and d: no sum leaves 128 bits.
+        let (u, v) = (a * p + b * q + carry.0, c * p + d * q + carry.1);
+        (*x, *y) = (u as u64, v as u64);
+        carry = (u >> 64, v >> 64);
+    }
+    for n in [x, y] {
+        n.truncate(n.iter().rposition(|word| *word != 0).map_or(0, |i| i + 1));
+    }
+}
+
+/// The longest run of Euclidean steps that the 64 leading bits of `x >= y` determine, if any.
+///
+/// Collins' condition tells from the leading bits of the last remainders and the factors whether the next quotient is
+/// that of the long numbers.
+pub(super) fn foretold(x: &[u64], y: &[u64]) -> Option<Run> {
     let top = x.len() - 1;
     let excess = x[top].leading_zeros();
-    let leading = |n: &[u64]| ((u128::from(n[top]) << 64 | u128::from(n[top - 1])) << excess >> 66) as i64;
+    let word = |n: &[u64], i: usize| n.get(i).map_or(0, |w| u128::from(*w));
+    let leading = |n: &[u64]| ((word(n, top) << 64 | word(n, top - 1)) << excess >> 64) as u64;
     let (mut p, mut q) = (leading(x), leading(y));
     let (mut a, mut b, mut c, mut d) = (1, 0, 0, 1);
-    // The true ratio lies between these two; while they agree on the quotient, so does it.
-    while q + c != 0 && q + d != 0 && (p + a) / (q + c) == (p + b) / (q + d) {
-        let w = (p + a) / (q + c);
-        (a, b, c, d) = (c, d, a - w * c, b - w * d);
+    let (mut even, mut last) = (true, None);
+    // Here p and q stand for ±(a x - b y) and ±(d y - c x).
+    while q >= d && p - q >= b + d {
+        last = Some(Run { factors: [[a, b], [c, d]], even });
+        let w = p / q;
         (p, q) = (q, p - w * q);
+        (a, b, c, d) = (c, d, a + w * c, b + w * d);
+        even = !even;
     }
-    (b != 0).then(|| [[a, b], [c, d]].map(|row| row.map(i128::from)))
+    last.filter(|run| run.factors[0][1] != 0)
 }
 
 #[cfg(test)]

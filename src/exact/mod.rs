@@ -11,12 +11,20 @@ mod gcd;
 mod fraction;
 mod arithmetic;
 mod convert;
+mod window;
 mod dot;
+mod divide;
+mod polar;
+mod modular;
+mod reconstruct;
+mod lift;
+mod solve;
 mod root;
 
 use crate::error::{Error, Result};
 use crate::scalar::Scalar;
 use fraction::Fraction;
+use nalgebra::DMatrix;
 use num_bigint::BigInt;
 use num_traits::{One, ToPrimitive, Zero};
 use std::borrow::Cow;
@@ -221,6 +229,32 @@ impl Scalar for Q {
 
     fn dot<'a>(pairs: impl Iterator<Item = (&'a Self, &'a Self)>) -> Self {
         dot::dot(pairs)
+    }
+
+    fn clear<'a>(values: impl Iterator<Item = &'a Self>) -> Option<Self> {
+        divide::common_denominator(values)
+    }
+
+    fn primitive<'a>(values: impl Iterator<Item = &'a Self>) -> Option<Self> {
+        divide::primitive(values)
+    }
+
+    fn divide(values: &mut [Self], divisor: &Self) {
+        divide::divide(values, divisor);
+    }
+
+    fn solve(matrix: &DMatrix<Self>, right: &DMatrix<Self>) -> Option<Result<DMatrix<Self>>> {
+        (matrix.nrows() >= solve::LEAST).then(|| solve::solve(matrix, right))
+    }
+
+    fn whole_blossom<'a>(
+        t: &'a [Self],
+        lo: usize,
+        hi: usize,
+        arg: &impl Fn(usize) -> &'a Self,
+        weights: &mut [Self],
+    ) -> Option<Self> {
+        polar::blossom(t, lo, hi, arg, weights)
     }
 }
 

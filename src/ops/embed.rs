@@ -11,6 +11,7 @@ use crate::coeff::Coeff;
 use crate::error::Result;
 use crate::map::LinearMap;
 use crate::ops::elevate::SpanWalk;
+use crate::polar::{polar_value, take_run};
 use crate::scalar::{Scalar, larger};
 use crate::space::SplineSpace;
 use crate::spline::Spline;
@@ -72,6 +73,27 @@ impl<T: Scalar> SplineSpace<T> {
     }
 }
 
+impl<T: Scalar> SplineSpace<T> {
+    /// The coefficients in `target` of the spline with `coeffs` here: those of [`insertion_rows`](Self::insertion_rows),
+    /// over an exact field without the rows, which would take as long to reduce.
+    fn inserted_coeffs<C: Coeff<T>>(&self, target: &Self, coeffs: &[C]) -> Result<Vec<C>> {
+        if !T::EXACT {
+            return self.insertion_rows(target).apply(coeffs);
+        }
+        let (p, tau) = (self.degree(), target.knots());
+        let mut walk = SpanWalk::new(self);
+        let mut weights = vec![T::zero(); p + 1];
+        let mut coeff = |j: usize| {
+            let k = walk.span_right_of(larger(&tau[j], target.domain().0));
+            let (args, mut free) = (tau[j + 1..=j + p].iter().collect::<Vec<_>>(), Vec::with_capacity(p));
+            let (lo, hi) = take_run(self.knots(), k, &args, &mut free);
+            let arg = |r: usize| free[r];
+            polar_value(self.knots(), (lo, hi), arg, &mut weights[..=free.len()], (hi - p, coeffs))
+        };
+        Ok((0..target.dim()).map(&mut coeff).collect())
+    }
+}
+
 impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     /// The same function as a spline of `target`.
     ///
@@ -93,7 +115,7 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
         if raised.space() == target {
             return Ok(raised);
         }
-        let coeffs = raised.space().insertion_rows(target).apply(raised.coeffs())?;
+        let coeffs = raised.space().inserted_coeffs(target, raised.coeffs())?;
         Spline::new(target.clone(), coeffs)
     }
 

@@ -87,8 +87,18 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
         let (p, q) = (self.degree(), other.degree());
         let left = self.embedded(&target.pieces(p)?)?;
         let right = other.embedded(&target.pieces(q)?)?;
-        let pieces = Shares::new(p, q).multiply(left.coeffs(), right.coeffs(), &pair);
-        let coeffs = target.recomposition()?.apply(&pieces)?;
+        let (pieces, divisors) = Shares::new(p, q).multiply_cleared(left.coeffs(), right.coeffs(), &pair);
+        let recomposition = target.recomposition()?;
+        let mut coeffs = recomposition.apply(&pieces)?;
+        if !divisors.is_empty() {
+            for (c, (first, _)) in coeffs.iter_mut().zip(recomposition.rows()) {
+                // Each coefficient comes from a single piece.
+                let divisor = &divisors[first / (p + q + 1)];
+                if !divisor.is_one() {
+                    c.divide(divisor);
+                }
+            }
+        }
         Spline::new(target, coeffs)
     }
 

@@ -4,6 +4,7 @@
 //!   its derivative by `t` along.
 //! - [`fraction`]: quotients of polynomials in a symbol `x`. Knots and coefficients may contain it, and so does what is
 //!   computed from them; a number may be put in its place before or after.
+//! - [`bare`]: exact numbers that go without the hooks of the library, which must not change a result.
 //!
 //! ```text
 //! let x = Fraction::symbol();
@@ -17,3 +18,4 @@ mod dual;
 mod fraction;
 mod derivatives;
 mod symbols;
+mod bare;
