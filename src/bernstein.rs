@@ -59,51 +59,91 @@ impl<T: Scalar> Shares<T> {
         right: &[B],
         pair: &impl Fn(&A, &B) -> C,
     ) -> (Vec<C>, Vec<T>) {
-        let count = left.len() / (self.p + 1);
-        let mut products = Vec::with_capacity(count * (self.p + self.q + 1));
-        let mut divisors = Vec::new();
+        if T::EXACT {
+            return self.multiply_whole(left, right, pair);
+        }
+        let products = match self.q {
+            1 => self.multiply_of_order::<2, A, B, C>(left, right, pair),
+            2 => self.multiply_of_order::<3, A, B, C>(left, right, pair),
+            3 => self.multiply_of_order::<4, A, B, C>(left, right, pair),
+            4 => self.multiply_of_order::<5, A, B, C>(left, right, pair),
+            5 => self.multiply_of_order::<6, A, B, C>(left, right, pair),
+            _ => self.multiply_by_sums(left, right, pair),
+        };
+        (products, Vec::new())
+    }
+
+    /// [`multiply_cleared`](Self::multiply_cleared) over an exact field: each coefficient is summed at once.
+    fn multiply_whole<A: Coeff<T>, B: Coeff<T>, C: Coeff<T>>(
+        &self,
+        left: &[A],
+        right: &[B],
+        pair: &impl Fn(&A, &B) -> C,
+    ) -> (Vec<C>, Vec<T>) {
+        let (mut products, mut divisors) = (Vec::new(), Vec::new());
         for (a, b) in left.chunks(self.p + 1).zip(right.chunks(self.q + 1)) {
-            if T::EXACT {
-                let ((a, d), (b, e)) = (cleared(a), cleared(b));
-                self.combine_pieces(&a, &b, pair, &mut products);
-                divisors.push(d * e);
-            } else {
-                self.add_pieces(a, b, pair, &mut products);
+            let ((a, d), (b, e)) = (cleared(a), cleared(b));
+            for k in 0..=self.p + self.q {
+                let terms: Vec<_> =
+                    self.meeting(k).map(|(i, j, share)| (share, pair(&a[i], &b[j]))).collect();
+                let sum = C::combine(terms.iter().map(|(share, c)| (*share, c)));
+                products.push(sum.expect("some pair meets in every coefficient"));
             }
+            divisors.push(d * e);
         }
         (products, divisors)
     }
 
-    /// One piece, each coefficient summed term by term.
-    fn add_pieces<A, B, C: Coeff<T>>(
+    /// [`multiply`](Self::multiply) as the formula has it, one sum a coefficient.
+    fn multiply_by_sums<A, B, C: Coeff<T>>(
         &self,
-        a: &[A],
-        b: &[B],
+        left: &[A],
+        right: &[B],
         pair: &impl Fn(&A, &B) -> C,
-        products: &mut Vec<C>,
-    ) {
-        for k in 0..=self.p + self.q {
-            let mut meeting = self.meeting(k);
-            let (i, j, share) = meeting.next().expect("some pair meets in every coefficient");
-            let mut sum = pair(&a[i], &b[j]);
-            sum.scale(share);
-            meeting.for_each(|(i, j, share)| sum.add_scaled(share, &pair(&a[i], &b[j])));
-            products.push(sum);
+    ) -> Vec<C> {
+        let degree = self.p + self.q;
+        let mut products = Vec::with_capacity(left.len() / (self.p + 1) * (degree + 1));
+        for (a, b) in left.chunks(self.p + 1).zip(right.chunks(self.q + 1)) {
+            for k in 0..=degree {
+                let mut meeting = self.meeting(k);
+                let (i, j, share) = meeting.next().expect("some pair meets in every coefficient");
+                let mut sum = pair(&a[i], &b[j]);
+                sum.scale(share);
+                meeting.for_each(|(i, j, share)| sum.add_scaled(share, &pair(&a[i], &b[j])));
+                products.push(sum);
+            }
         }
+        products
     }
 
-    /// One piece, each coefficient summed at once.
-    fn combine_pieces<A, B, C: Coeff<T>>(
+    /// [`multiply`](Self::multiply) for `ORDER = q + 1` known to the compiler: `i` runs from `0` to `p`, and the sums that
+    /// `a_i` takes part in, those of `i ..= i + q`, are kept at hand.
+    fn multiply_of_order<const ORDER: usize, A, B, C: Coeff<T>>(
         &self,
-        a: &[A],
-        b: &[B],
+        left: &[A],
+        right: &[B],
         pair: &impl Fn(&A, &B) -> C,
-        products: &mut Vec<C>,
-    ) {
-        for k in 0..=self.p + self.q {
-            let terms: Vec<_> = self.meeting(k).map(|(i, j, share)| (share, pair(&a[i], &b[j]))).collect();
-            let sum = C::combine(terms.iter().map(|(share, c)| (*share, c)));
-            products.push(sum.expect("some pair meets in every coefficient"));
+    ) -> Vec<C> {
+        let shares: Vec<&[T; ORDER]> =
+            self.shares.iter().map(|row| row.first_chunk().expect("a row has `q + 1` shares")).collect();
+        let mut products = Vec::with_capacity(left.len() / (self.p + 1) * (self.p + ORDER));
+        for (a, b) in left.chunks_exact(self.p + 1).zip(right.as_chunks::<ORDER>().0) {
+            let product = |i: usize, j: usize| {
+                let mut product = pair(&a[i], &b[j]);
+                product.scale(&shares[i][j]);
+                product
+            };
+            let mut sums: [C; ORDER] = std::array::from_fn(|j| product(0, j));
+            for i in 1..=self.p {
+                let done = std::mem::replace(&mut sums[0], product(i, ORDER - 1));
+                for j in 0..ORDER - 1 {
+                    sums.swap(j, j + 1);
+                    sums[j].add_scaled(&shares[i][j], &pair(&a[i], &b[j]));
+                }
+                products.push(done);
+            }
+            products.extend(sums);
         }
+        products
     }
 }

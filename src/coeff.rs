@@ -76,7 +76,7 @@ pub trait Coeff<T: Scalar>: Clone + PartialEq + std::fmt::Debug + Send + Sync + 
 
     /// Whether every component is a finite number.
     fn all_finite(&self) -> bool {
-        self.components().all(Scalar::is_finite)
+        self.components().fold(true, |all, x| all & x.is_finite())
     }
 
     /// The squared size in which errors are measured, convex in `self`: of a number or a point the squared length, of a
@@ -183,7 +183,7 @@ impl<T: Scalar, const N: usize> Coeff<T> for SVector<T, N> {
     }
 
     fn components(&self) -> impl Iterator<Item = &T> {
-        self.iter()
+        self.as_slice().iter()
     }
 
     fn try_map<U: Scalar>(&self, mut f: impl FnMut(&T) -> Result<U>) -> Result<SVector<U, N>> {

@@ -35,16 +35,22 @@ impl<T: Scalar> SplineSpace<T> {
                 end: b.to_string(),
             });
         }
-        let mut added: Vec<(T, usize)> = knots.iter().map(|t| (t.clone(), 1)).collect();
-        added.sort_by(|s, t| s.0.partial_cmp(&t.0).expect("finite knots are ordered"));
-        let sum = |present: usize, added: usize| present + added;
+        let mut added = knots.to_vec();
+        added.sort_by(|s, t| s.partial_cmp(t).expect("finite knots are ordered"));
         if self.is_periodic() {
-            let round = merge(self.round(), gather(added), sum);
+            let added = added.chunk_by(T::eq).map(|copies| (copies[0].clone(), copies.len())).collect();
+            let round = merge(self.round(), added, |present, added| present + added);
             return Self::from_round(self.degree(), &round, self.domain().1);
         }
-        let parts = self.parts();
-        let inner = merge(parts.inner, gather(added), sum);
-        Self::from_parts(self.degree(), Parts { inner, ..parts })
+        let (mut all, mut rest) = (Vec::with_capacity(self.knots().len() + added.len()), &self.knots()[..]);
+        for t in added {
+            let passed = rest.iter().take_while(|knot| **knot <= t).count();
+            all.extend_from_slice(&rest[..passed]);
+            all.push(t);
+            rest = &rest[passed..];
+        }
+        all.extend_from_slice(rest);
+        Self::new(self.degree(), all)
     }
 
     /// The space with the middle of every span as a further knot.
@@ -332,16 +338,4 @@ fn merge<T: Scalar>(
     }
     merged.extend(right);
     merged
-}
-
-/// Adds up the counts of equal neighbours.
-fn gather<T: Scalar>(knots: Vec<(T, usize)>) -> Vec<(T, usize)> {
-    let mut gathered: Vec<(T, usize)> = Vec::with_capacity(knots.len());
-    for (t, m) in knots {
-        match gathered.last_mut() {
-            Some((last, count)) if *last == t => *count += m,
-            _ => gathered.push((t, m)),
-        }
-    }
-    gathered
 }

@@ -64,12 +64,19 @@ impl<T: Scalar> Functional<T> {
 }
 
 /// `Σ_k weights[k] coeffs[first + k]`, indices wrapped.
-#[inline]
+#[inline(always)]
 pub(crate) fn weigh<T: Scalar, C: Coeff<T>>(first: usize, weights: &[T], coeffs: &[C]) -> C {
     let window = first.checked_add(weights.len()).and_then(|end| coeffs.get(first..end));
-    let sum = match window {
-        Some(window) => C::combine(weights.iter().zip(window)),
-        None => C::combine(weights.iter().zip(coeffs.iter().cycle().skip(first % coeffs.len()))),
-    };
+    match window.and_then(|window| C::combine(weights.iter().zip(window))) {
+        Some(sum) => sum,
+        None => weigh_wrapped(first, weights, coeffs),
+    }
+}
+
+/// [`weigh`] where indices wrap, or there are no weights.
+#[cold]
+#[inline(never)]
+fn weigh_wrapped<T: Scalar, C: Coeff<T>>(first: usize, weights: &[T], coeffs: &[C]) -> C {
+    let sum = C::combine(weights.iter().zip(coeffs.iter().cycle().skip(first % coeffs.len())));
     sum.unwrap_or_else(|| coeffs[0].zero_like())
 }

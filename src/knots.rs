@@ -34,12 +34,18 @@ impl<T: Scalar> KnotVector<T> {
     /// ```
     pub fn new(values: impl IntoIterator<Item = T>) -> Result<Self> {
         let values: Arc<[T]> = values.into_iter().collect();
-        if let Some(index) = values.iter().position(|t| !t.is_finite()) {
-            return Err(Error::NotFinite { what: "knot", index });
+        // Most often all is well: look at all of them without a branch first.
+        let finite = values.iter().fold(true, |all, t| all & t.is_finite());
+        let ordered = values.windows(2).fold(true, |all, pair| all & (pair[0] <= pair[1]));
+        if finite && ordered {
+            return Ok(Self(values));
         }
-        match values.windows(2).position(|pair| pair[1] < pair[0]) {
-            Some(before) => Err(Error::KnotsDecrease { index: before + 1 }),
-            None => Ok(Self(values)),
+        match values.iter().position(|t| !t.is_finite()) {
+            Some(index) => Err(Error::NotFinite { what: "knot", index }),
+            None => {
+                let before = values.windows(2).position(|pair| pair[1] < pair[0]);
+                Err(Error::KnotsDecrease { index: before.expect("some knots are not in order") + 1 })
+            }
         }
     }
 
@@ -51,6 +57,17 @@ impl<T: Scalar> KnotVector<T> {
     /// The distinct knots, each with the number of its copies.
     pub fn multiplicities(&self) -> Vec<(T, usize)> {
         self.chunk_by(T::eq).map(|copies| (copies[0].clone(), copies.len())).collect()
+    }
+
+    /// The first span whose length has no finite inverse.
+    pub(crate) fn narrow_span(&self) -> Option<usize> {
+        let narrow = |pair: &[T]| {
+            let width = pair[1].clone() - &pair[0];
+            !(T::one() / if width.is_zero() { T::one() } else { width }).is_finite()
+        };
+        // Most often there is none: look at all without a branch first.
+        let any = self.windows(2).fold(false, |any, pair| any | narrow(pair));
+        any.then(|| self.windows(2).position(narrow)).flatten()
     }
 
     /// The same knots with near ones made equal: a knot at most `tolerance` above the first of its cluster takes the

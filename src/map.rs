@@ -126,11 +126,56 @@ impl<T: Scalar> LinearMap<T> {
     /// # Ok::<(), symspline::Error>(())
     /// ```
     pub fn apply<C: Coeff<T>>(&self, coeffs: &[C]) -> Result<Vec<C>> {
+        self.check_source(coeffs)?;
+        Ok(self.images(coeffs).collect())
+    }
+
+    /// Writes the image of `coeffs` to `out`, and allocates nothing where coefficients do not: for what is applied again and
+    /// again, as while a point is dragged.
+    ///
+    /// # Errors
+    /// Those of [`apply`](Self::apply), and [`Error::CoefficientCount`] if the length of `out` is not
+    /// [`target_dim`](Self::target_dim). Then `out` is as it was.
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::{Error, SplineSpace};
+    /// let space = SplineSpace::bezier(1, 0.0, 1.0)?;
+    /// let raise = space.embedding(&space.elevated(1)?)?;
+    /// let mut out = [0.0; 3];
+    /// for end in [2.0, 4.0] {
+    ///     raise.apply_into(&[0.0, end], &mut out)?;
+    ///     assert_eq!(out, [0.0, end / 2.0, end]);
+    /// }
+    /// let short = raise.apply_into(&[0.0, 1.0], &mut out[..2]);
+    /// assert_eq!(short, Err(Error::CoefficientCount { expected: 3, found: 2 }));
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn apply_into<C: Coeff<T>>(&self, coeffs: &[C], out: &mut [C]) -> Result<()> {
+        self.check_source(coeffs)?;
+        if out.len() != self.target_dim() {
+            return Err(Error::CoefficientCount { expected: self.target_dim(), found: out.len() });
+        }
+        out.iter_mut().zip(self.images(coeffs)).for_each(|(place, image)| *place = image);
+        Ok(())
+    }
+
+    fn check_source<C: Coeff<T>>(&self, coeffs: &[C]) -> Result<()> {
         if coeffs.len() != self.source_dim {
             return Err(Error::CoefficientCount { expected: self.source_dim, found: coeffs.len() });
         }
-        check_shapes(coeffs)?;
-        Ok(self.rows().map(|(first, weights)| weigh(first, weights, coeffs)).collect())
+        check_shapes(coeffs)
+    }
+
+    /// The image of `coeffs`, row by row.
+    #[inline]
+    fn images<C: Coeff<T>>(&self, coeffs: &[C]) -> impl ExactSizeIterator<Item = C> {
+        let mut start = 0;
+        self.firsts.iter().zip(&self.ends).map(move |(first, end)| {
+            let weights = &self.weights[start..*end];
+            start = *end;
+            weigh(*first, weights, coeffs)
+        })
     }
 
     /// The map `self ∘ first`.

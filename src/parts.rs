@@ -21,12 +21,20 @@ impl<T: Scalar> SplineSpace<T> {
     pub(crate) fn parts(&self) -> Parts<T> {
         let t = self.knots();
         let first_copy_of_end = self.last_span() + 1;
-        let inner = t[self.degree() + 1..first_copy_of_end].chunk_by(T::eq);
         Parts {
             left: t[..=self.degree()].to_vec(),
-            inner: inner.map(|copies| (copies[0].clone(), copies.len())).collect(),
+            inner: runs(&t[self.degree() + 1..first_copy_of_end]),
             right: t[first_copy_of_end..=first_copy_of_end + self.degree()].to_vec(),
         }
+    }
+
+    /// The distinct knots of the domain, both ends included.
+    pub(crate) fn ends(&self) -> Vec<T> {
+        let (t, first, last) = (self.knots(), self.degree(), self.unrolled_dim());
+        let mut ends = Vec::with_capacity(last - first + 1);
+        ends.push(t[first].clone());
+        ends.extend(t[first..=last].windows(2).filter(|pair| pair[0] < pair[1]).map(|pair| pair[1].clone()));
+        ends
     }
 
     /// The same space over another field.
@@ -45,15 +53,18 @@ impl<T: Scalar> SplineSpace<T> {
     /// The open space of `degree` with these parts.
     pub(crate) fn from_parts(degree: usize, parts: Parts<T>) -> Result<Self> {
         let Parts { left, inner, right } = parts;
-        check_dim(inner.iter().map(|(_, count)| count).sum())?;
-        let copies = inner.into_iter().flat_map(|(t, count)| std::iter::repeat_n(t, count));
-        Self::new(degree, left.into_iter().chain(copies).chain(right))
+        let count = inner.iter().map(|(_, count)| count).sum();
+        check_dim(count)?;
+        let mut knots = Vec::with_capacity(left.len() + count + right.len());
+        knots.extend(left);
+        inner.into_iter().for_each(|(t, count)| knots.extend(std::iter::repeat_n(t, count)));
+        knots.extend(right);
+        Self::new(degree, knots)
     }
 
     /// The distinct knots of a period with their multiplicities, the seam at the start only.
     pub(crate) fn round(&self) -> Vec<(T, usize)> {
-        let copies = self.round_knots().chunk_by(T::eq);
-        copies.map(|copies| (copies[0].clone(), copies.len())).collect()
+        runs(self.round_knots())
     }
 
     /// The periodic space of `degree` with these distinct knots and multiplicities, whose seam comes again at `end`.
@@ -62,4 +73,16 @@ impl<T: Scalar> SplineSpace<T> {
         let copies = round.iter().flat_map(|(t, count)| std::iter::repeat_n(t.clone(), *count));
         Self::joined(degree, &KnotVector::new(copies)?, end.clone())
     }
+}
+
+/// The distinct ones of ascending knots with their numbers of copies.
+fn runs<T: Scalar>(knots: &[T]) -> Vec<(T, usize)> {
+    let mut runs: Vec<(T, usize)> = Vec::with_capacity(knots.len());
+    for t in knots {
+        match runs.last_mut() {
+            Some((last, count)) if last == t => *count += 1,
+            _ => runs.push((t.clone(), 1)),
+        }
+    }
+    runs
 }

@@ -181,7 +181,7 @@ pub(crate) fn larger<X: PartialOrd>(x: X, y: X) -> X {
 
 /// The larger of two sizes, where what is not finite counts as the largest.
 pub(crate) fn larger_size<T: Scalar>(x: T, y: T) -> T {
-    if !x.is_finite() || y <= x { x } else { y }
+    if (y <= x) | !x.is_finite() { x } else { y }
 }
 
 impl Scalar for f64 {

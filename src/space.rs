@@ -237,13 +237,13 @@ impl<T: Scalar> SplineSpace<T> {
             return Err(Error::EmptyDomain { start: a.to_string(), end: b.to_string() });
         }
         let reach = t[t.len() - 1].clone() - &t[0];
-        let invertible = |width: T| width.is_zero() || (T::one() / width).is_finite();
-        let narrow = || t.windows(2).position(|pair| !invertible(pair[1].clone() - &pair[0]));
-        if let Some(index) = (!T::EXACT).then(narrow).flatten().or((!reach.is_finite()).then_some(0)) {
+        let narrow = if T::EXACT { None } else { t.narrow_span() };
+        if let Some(index) = narrow.or((!reach.is_finite()).then_some(0)) {
             return Err(Error::SpanOutOfRange { index });
         }
         let limit = self.degree + 1;
-        match self.knots.chunk_by(T::eq).find(|copies| copies.len() > limit) {
+        let crowded = t.iter().zip(&t[limit..]).fold(false, |any, (first, beyond)| any | (first == beyond));
+        match crowded.then(|| t.chunk_by(T::eq).find(|copies| copies.len() > limit)).flatten() {
             Some(copies) => {
                 Err(Error::Multiplicity { knot: copies[0].to_string(), multiplicity: copies.len(), limit })
             }

@@ -57,10 +57,12 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
             return Err(Error::CoefficientCount { expected: space.dim(), found: coeffs.len() });
         }
         check_shapes(&coeffs)?;
-        match coeffs.iter().position(|c| !c.all_finite()) {
-            Some(index) => Err(Error::NotFinite { what: "coefficient", index }),
-            None => Ok(Self { space, coeffs }),
+        // Most often all are finite: look at all of them without a branch first.
+        if coeffs.iter().fold(true, |all, c| all & c.all_finite()) {
+            return Ok(Self { space, coeffs });
         }
+        let index = coeffs.iter().position(|c| !c.all_finite());
+        Err(Error::NotFinite { what: "coefficient", index: index.expect("some coefficient is not finite") })
     }
 
     /// The spline that has the value `value` all over `space`.

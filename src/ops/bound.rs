@@ -124,13 +124,13 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
         let shift = u32::try_from(halvings).unwrap_or(u32::MAX);
         check_dim(self.coeffs().len().saturating_mul(1_usize.checked_shl(shift).unwrap_or(usize::MAX)))?;
         let p = self.degree();
-        let pieces = self.embedded(&self.space().pieces(p)?)?;
+        let pieces = self.bernstein(&self.space().ends())?;
         let mut reached = T::zero();
         let bound = |piece: &[C]| match enough {
             Some(enough) => halved_bound(piece.to_vec(), halvings, &mut enough.clone()),
             None => halved_bound(piece.to_vec(), halvings, &mut reached),
         };
-        Ok(pieces.coeffs().chunks(p + 1).map(bound).collect())
+        Ok(pieces.chunks(p + 1).map(bound).collect())
     }
 
     /// What rounding may add to the difference with `other`, in the union of the spaces or `halvings` below.

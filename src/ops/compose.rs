@@ -92,7 +92,7 @@ pub(crate) fn composition<T: Solvable, C: Coeff<T>, const K: usize>(
     let table = Substitution::new(axes.map(|(space, _)| space.degree()), axes[0].1.degree());
     let on = |piece: &Piece<T, K>| table.apply(&table.weights(piece), &patch(piece.spans));
     let bernstein: Vec<C> = pieces.iter().flat_map(on).collect();
-    let coeffs = space.recomposition()?.apply(&bernstein)?;
+    let coeffs = space.recomposed(&space.ends(), &bernstein, &[]);
     Spline::new(space, coeffs)
 }
 
@@ -163,7 +163,7 @@ impl<T: Solvable, C: Coeff<T>> Spline<T, C> {
     /// ```
     pub fn composed(&self, inner: &Function<T>) -> Result<Self> {
         let p = self.degree();
-        let bernstein = self.embedded(&self.space().pieces(p)?)?.into_coeffs();
+        let bernstein = self.bernstein(&self.space().ends())?;
         composition([(self.space(), inner)], |[i]| bernstein[i * (p + 1)..(i + 1) * (p + 1)].to_vec())
     }
 
@@ -202,8 +202,8 @@ fn check_increasing<T: Solvable>(change: &Function<T>) -> Result<()> {
     if let Some((knot, _)) = breaks[1..breaks.len() - 1].iter().find(|(_, m)| *m > q) {
         return Err(Error::Discontinuous { knot: knot.to_string() });
     }
-    let bernstein = change.embedded(&change.space().pieces(q)?)?;
-    for (ends, c) in breaks.windows(2).zip(bernstein.coeffs().chunks(q + 1)) {
+    let bernstein = change.bernstein(&change.space().ends())?;
+    for (ends, c) in breaks.windows(2).zip(bernstein.chunks(q + 1)) {
         let (a, b) = (&ends[0].0, &ends[1].0);
         let flat = c.windows(2).all(|pair| pair[0] == pair[1]);
         let rises = || c.windows(2).map(|pair| pair[1].clone() - &pair[0]).collect();

@@ -12,9 +12,8 @@
 
 use crate::coeff::Coeff;
 use crate::error::Result;
-use crate::functional::weigh;
 use crate::map::LinearMap;
-use crate::polar::blossom;
+use crate::ops::run::Run;
 use crate::scalar::{Scalar, larger};
 use crate::space::SplineSpace;
 use crate::spline::Spline;
@@ -22,12 +21,17 @@ use crate::spline::Spline;
 impl<T: Scalar> SplineSpace<T> {
     /// The rows into `raised`, this space elevated by one: means of polar values that leave out one knot.
     pub(crate) fn elevation_rows(&self, raised: &Self) -> LinearMap<T> {
+        self.first_elevation_rows(raised, raised.dim())
+    }
+
+    /// The first `count` of the [rows](Self::elevation_rows).
+    fn first_elevation_rows(&self, raised: &Self, count: usize) -> LinearMap<T> {
         let (p, tau) = (self.degree(), raised.knots());
-        let mut map = LinearMap::empty(self.dim(), raised.dim());
+        let mut map = LinearMap::empty(self.dim(), count);
         let (mut args, mut free) = (Vec::with_capacity(p), Vec::with_capacity(p));
         let (mut row, mut part) = (vec![T::zero(); p + 1], Vec::with_capacity(p + 1));
         let mut walk = SpanWalk::new(self);
-        for j in 0..raised.dim() {
+        for j in 0..count {
             let k = walk.span_right_of(larger(&tau[j], raised.domain().0));
             let knots = &tau[j + 1..=j + p + 1];
             let (mut low, mut high) = (p, 0);
@@ -82,83 +86,65 @@ impl<T: Scalar> SplineSpace<T> {
     /// The coefficients in `raised`, this space elevated by one, of the spline with `coeffs` here: those of
     /// [`elevation_rows`](Self::elevation_rows), in low degrees without a table.
     fn elevated_coeffs<C: Coeff<T>>(&self, raised: &Self, coeffs: &[C]) -> Result<Vec<C>> {
+        // Coefficients on the heap are better summed up once than value by value.
         match self.degree() {
-            1 => Ok(self.elevated_of_order::<2, C>(raised, coeffs)),
-            2 => Ok(self.elevated_of_order::<3, C>(raised, coeffs)),
-            3 => Ok(self.elevated_of_order::<4, C>(raised, coeffs)),
-            4 => Ok(self.elevated_of_order::<5, C>(raised, coeffs)),
-            5 => Ok(self.elevated_of_order::<6, C>(raised, coeffs)),
+            _ if std::mem::needs_drop::<C>() => self.elevation_rows(raised).apply(coeffs),
+            1 => self.elevated_of_order::<2, C>(raised, coeffs),
+            2 => self.elevated_of_order::<3, C>(raised, coeffs),
+            3 => self.elevated_of_order::<4, C>(raised, coeffs),
+            4 => self.elevated_of_order::<5, C>(raised, coeffs),
+            5 => self.elevated_of_order::<6, C>(raised, coeffs),
             _ => self.elevation_rows(raised).apply(coeffs),
         }
     }
 
     /// [`elevated_coeffs`](Self::elevated_coeffs) for `ORDER = p + 1` known to the compiler.
     ///
-    /// A row is used as soon as it is made, and its polar value without the first knot is the next one's without the last.
-    fn elevated_of_order<const ORDER: usize, C: Coeff<T>>(&self, raised: &Self, coeffs: &[C]) -> Vec<C> {
-        let (p, tau, start) = (ORDER - 1, raised.knots(), raised.domain().0);
+    /// From the domain's start on, the knots of a coefficient are a run of knots of this space, and one free copy more of each
+    /// but perhaps the first and the last. To leave out a knot is to leave out its free copy or one end of the run. The
+    /// polar value without the first knot is the next coefficient's without the last.
+    fn elevated_of_order<const ORDER: usize, C: Coeff<T>>(
+        &self,
+        raised: &Self,
+        coeffs: &[C],
+    ) -> Result<Vec<C>> {
+        let (t, tau, start) = (self.knots(), raised.knots(), raised.domain().0);
+        let before = tau[..ORDER].iter().take_while(|x| *x < start).count().min(raised.dim());
+        let mut elevated = self.first_elevation_rows(raised, before).apply(coeffs)?;
+        elevated.reserve_exact(raised.dim() - before);
         let shares: [T; ORDER] = std::array::from_fn(|i| T::frac(i as i64 + 1, ORDER as i64));
-        let mut walk = SpanWalk::new(self);
-        let mut shared: Option<Polar<T, ORDER>> = None;
-        let coeff = |j: usize| {
-            let k = walk.span_right_of(larger(&tau[j], start));
+        let mut run = Run::<T, ORDER>::new(t, ORDER - 1, &tau[before + 1..=before + ORDER]);
+        let mut shared: Option<C> = None;
+        for j in before..raised.dim() {
             let knots: &[T; ORDER] = tau[j + 1..].first_chunk().expect("every coefficient has its knots");
             let copies = |i: usize| knots[i..].iter().take_while(|x| **x == knots[i]).count();
-            let mut row: [T; ORDER] = std::array::from_fn(|_| T::zero());
-            let mut add = |count: usize, value: &Polar<T, ORDER>| {
-                let sums = row[value.first + p - k..].iter_mut();
-                let weights = &value.weights[..value.len];
-                sums.zip(weights).for_each(|(sum, w)| *sum += shares[count - 1].clone() * w);
+            let mut passed = 0;
+            let mut without = |skip: usize| {
+                if run.is_free(passed, &knots[skip]) {
+                    passed += 1;
+                    return run.polar_without_free(passed - 1, coeffs);
+                }
+                let at_left_end = skip == 0 && knots[0] != knots[ORDER - 1];
+                if at_left_end { run.polar_without_first(coeffs) } else { run.polar_without_last(coeffs) }
             };
-            let head = self.polar_without(0, k, knots);
             let mut skip = copies(0);
-            add(skip, &head);
+            let head = without(0);
+            let mut sum = head.scaled(&shares[skip - 1]);
             while skip < ORDER {
                 let count = copies(skip);
                 let tail = if skip + count == ORDER { shared.take() } else { None };
-                add(count, &tail.unwrap_or_else(|| self.polar_without(skip, k, knots)));
+                sum.add_scaled(&shares[count - 1], &tail.unwrap_or_else(|| without(skip)));
                 skip += count;
             }
             // If the next row starts at another knot, its arguments hold all copies of that knot, so that both sides agree.
             shared = Some(head);
-            weigh(k - p, &row, coeffs)
-        };
-        (0..raised.dim()).map(coeff).collect()
-    }
-
-    /// The polar value of span `k` at the sorted `knots` without the one at `skip`.
-    #[inline(always)]
-    fn polar_without<const ORDER: usize>(
-        &self,
-        skip: usize,
-        k: usize,
-        knots: &[T; ORDER],
-    ) -> Polar<T, ORDER> {
-        let t = self.knots();
-        let middle = knots.iter().take_while(|x| **x <= t[k]).count();
-        let (mut lo, mut hi) = (k, k);
-        let (mut free, mut len) = ([&knots[0]; ORDER], 0);
-        let mut keep = |x| {
-            free[len] = x;
-            len += 1;
-        };
-        for i in (0..middle).rev().filter(|i| *i != skip) {
-            if knots[i] == t[lo] { lo -= 1 } else { keep(&knots[i]) }
+            elevated.push(sum);
+            if let Some(next) = tau.get(j + ORDER + 1) {
+                run.advance(&knots[0], next);
+            }
         }
-        for i in (middle..ORDER).filter(|i| *i != skip) {
-            if knots[i] == t[hi + 1] { hi += 1 } else { keep(&knots[i]) }
-        }
-        let mut weights: [T; ORDER] = std::array::from_fn(|_| T::zero());
-        blossom(t, lo, hi, |r| free[r], &mut weights[..=len]);
-        Polar { first: hi + 1 - ORDER, len: len + 1, weights }
+        Ok(elevated)
     }
-}
-
-/// A polar value: `len` weights on the coefficients from `first`.
-struct Polar<T, const ORDER: usize> {
-    first: usize,
-    len: usize,
-    weights: [T; ORDER],
 }
 
 /// Walks the spans of a space from left to right beside another ascending sequence.

@@ -11,6 +11,7 @@ use crate::coeff::Coeff;
 use crate::error::Result;
 use crate::map::LinearMap;
 use crate::ops::elevate::SpanWalk;
+use crate::ops::run::Run;
 use crate::polar::{polar_value, take_run};
 use crate::scalar::{Scalar, larger};
 use crate::space::SplineSpace;
@@ -71,26 +72,48 @@ impl<T: Scalar> SplineSpace<T> {
         }
         map
     }
-}
 
-impl<T: Scalar> SplineSpace<T> {
-    /// The coefficients in `target` of the spline with `coeffs` here: those of [`insertion_rows`](Self::insertion_rows),
-    /// over an exact field without the rows, which would take as long to reduce.
-    fn inserted_coeffs<C: Coeff<T>>(&self, target: &Self, coeffs: &[C]) -> Result<Vec<C>> {
-        if !T::EXACT {
-            return self.insertion_rows(target).apply(coeffs);
+    /// The coefficients in `target` of the spline with `coeffs` here: those of [`insertion_rows`](Self::insertion_rows), in
+    /// low degrees without a table.
+    pub(crate) fn inserted_coeffs<C: Coeff<T>>(&self, target: &Self, coeffs: &[C]) -> Vec<C> {
+        match self.degree() {
+            1 => self.inserted_of_order::<2, C>(target, coeffs),
+            2 => self.inserted_of_order::<3, C>(target, coeffs),
+            3 => self.inserted_of_order::<4, C>(target, coeffs),
+            4 => self.inserted_of_order::<5, C>(target, coeffs),
+            5 => self.inserted_of_order::<6, C>(target, coeffs),
+            _ => self.inserted_by_values(target, coeffs),
         }
+    }
+
+    /// [`inserted_coeffs`](Self::inserted_coeffs) as the definition has it: each coefficient a polar value.
+    fn inserted_by_values<C: Coeff<T>>(&self, target: &Self, coeffs: &[C]) -> Vec<C> {
         let (p, tau) = (self.degree(), target.knots());
         let mut walk = SpanWalk::new(self);
         let mut weights = vec![T::zero(); p + 1];
-        let mut coeff = |j: usize| {
+        let (mut args, mut free) = (Vec::with_capacity(p), Vec::with_capacity(p));
+        let coeff = |j: usize| {
             let k = walk.span_right_of(larger(&tau[j], target.domain().0));
-            let (args, mut free) = (tau[j + 1..=j + p].iter().collect::<Vec<_>>(), Vec::with_capacity(p));
+            args.clear();
+            args.extend(&tau[j + 1..=j + p]);
             let (lo, hi) = take_run(self.knots(), k, &args, &mut free);
             let arg = |r: usize| free[r];
             polar_value(self.knots(), (lo, hi), arg, &mut weights[..=free.len()], (hi - p, coeffs))
         };
-        Ok((0..target.dim()).map(&mut coeff).collect())
+        (0..target.dim()).map(coeff).collect()
+    }
+
+    /// [`inserted_coeffs`](Self::inserted_coeffs) for `ORDER = p + 1` known to the compiler.
+    fn inserted_of_order<const ORDER: usize, C: Coeff<T>>(&self, target: &Self, coeffs: &[C]) -> Vec<C> {
+        let tau = target.knots();
+        let k = SpanWalk::new(self).span_right_of(larger(&tau[0], target.domain().0));
+        let mut run = Run::<T, ORDER>::new(self.knots(), k, &tau[1..ORDER]);
+        let coeff = |j: usize| {
+            let value = run.polar(coeffs);
+            run.advance(&tau[j + 1], &tau[j + ORDER]);
+            value
+        };
+        (0..target.dim()).map(coeff).collect()
     }
 }
 
@@ -115,8 +138,7 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
         if raised.space() == target {
             return Ok(raised);
         }
-        let coeffs = raised.space().inserted_coeffs(target, raised.coeffs())?;
-        Spline::new(target.clone(), coeffs)
+        Spline::new(target.clone(), raised.space().inserted_coeffs(target, raised.coeffs()))
     }
 
     /// The same function with `knots` inserted, each as often as it is listed, in any order.
@@ -135,7 +157,9 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     /// ```
     #[doc(alias = "knot insertion")]
     pub fn inserted(&self, knots: &[T]) -> Result<Self> {
-        self.embedded(&self.space().refined(knots)?)
+        let target = self.space().refined(knots)?;
+        let coeffs = self.space().inserted_coeffs(&target, self.coeffs());
+        Spline::new(target, coeffs)
     }
 
     /// The same function with clamped ends; a periodic one is opened at its seam.
@@ -173,33 +197,5 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     /// ```
     pub fn unclamped_ends(&self) -> Result<Self> {
         self.embedded(&self.space().unclamped_ends()?)
-    }
-
-    /// The polynomial pieces, one a span, each on its own interval with Bernstein coefficients.
-    ///
-    /// Computes what [NURBS, A5.6] does, with the original parameters kept.
-    ///
-    /// # Errors
-    /// None for a valid spline.
-    ///
-    /// # Examples
-    /// ```
-    /// use symspline::{Function, SplineSpace};
-    /// let f = Function::new(SplineSpace::clamped(2, [0.0, 1.0, 2.0])?, vec![0.0, 1.0, 3.0, 0.0])?;
-    /// let pieces = f.bezier_pieces()?;
-    /// assert_eq!(pieces[1].domain(), (&1.0, &2.0));
-    /// assert_eq!(pieces[1].coeffs(), [2.0, 3.0, 0.0]);
-    /// # Ok::<(), symspline::Error>(())
-    /// ```
-    pub fn bezier_pieces(&self) -> Result<Vec<Self>> {
-        let p = self.degree();
-        let all = self.embedded(&self.space().pieces(p)?)?;
-        let breaks = self.space().breaks();
-        let intervals = breaks.windows(2).zip(all.coeffs().chunks(p + 1));
-        let piece = |(ends, coeffs): (&[(T, usize)], &[C])| {
-            let [a, b] = [0, 1].map(|i| ends[i].0.clone());
-            Spline::new(SplineSpace::bezier(p, a, b)?, coeffs.to_vec())
-        };
-        intervals.map(piece).collect()
     }
 }

@@ -53,6 +53,19 @@ impl<T: Scalar> SplineSpace<T> {
     /// # Ok::<(), symspline::Error>(())
     /// ```
     pub fn gram_between(&self, other: &Self, k: usize, l: usize, a: &T, b: &T) -> Result<LinearMap<T>> {
+        let factors = self.gram_factors(other, k, l, a, b)?;
+        factors.left.after(&factors.blocks.after(&factors.right)?)
+    }
+
+    /// The factors of [`gram_between`](Self::gram_between).
+    pub(crate) fn gram_factors(
+        &self,
+        other: &Self,
+        k: usize,
+        l: usize,
+        a: &T,
+        b: &T,
+    ) -> Result<GramFactors<T>> {
         self.check_same_domain(other)?;
         let (left, left_space) = self.nth_differentiation(k)?;
         let (right, right_space) = other.nth_differentiation(l)?;
@@ -60,8 +73,13 @@ impl<T: Scalar> SplineSpace<T> {
         let (p, q) = (f.degree(), g.degree());
         let common = f.pieces(p)?.product_space(&g.pieces(q)?)?;
         let (f_pieces, g_pieces) = (common.pieces(p)?, common.pieces(q)?);
-        let left = f.embedding(&f_pieces)?.after(&left_space.insertion_rows(&f))?.after(&left)?;
-        let right = g.embedding(&g_pieces)?.after(&right_space.insertion_rows(&g))?.after(&right)?;
+        // Into the pieces, after the derivatives if there are any.
+        let cut = |space: &Self, pieces: &Self, derivative: Option<LinearMap<T>>| match derivative {
+            None => Ok(space.insertion_rows(pieces)),
+            Some(derivative) => space.insertion_rows(pieces).after(&derivative),
+        };
+        let left = cut(&left_space, &f_pieces, left)?;
+        let right = cut(&right_space, &g_pieces, right)?;
         let shares = Shares::<T>::new(p, q);
         let mut blocks = LinearMap::empty(g_pieces.dim(), f_pieces.dim());
         for (piece, ends) in common.breaks().windows(2).enumerate() {
@@ -72,7 +90,7 @@ impl<T: Scalar> SplineSpace<T> {
                 });
             }
         }
-        left.transpose().after(&blocks.after(&right)?)
+        Ok(GramFactors { left: left.transpose(), blocks, right })
     }
 
     /// The moment `f -> ∫ x^power f(x) dx` over the domain, as a functional.
@@ -94,15 +112,22 @@ impl<T: Scalar> SplineSpace<T> {
         Ok(Functional::new(0, self.gram(monomial.space(), 0, 0)?.apply(monomial.coeffs())?))
     }
 
-    /// The derivative of order `order` as a map, with its space.
-    fn nth_differentiation(&self, order: usize) -> Result<(LinearMap<T>, Self)> {
+    /// The derivative of order `order` as a map, none for the order zero, with its space.
+    fn nth_differentiation(&self, order: usize) -> Result<(Option<LinearMap<T>>, Self)> {
         crate::limits::check_degree(order)?;
-        let start = (LinearMap::identity(self.dim()), self.clone());
-        (0..order).try_fold(start, |(map, space), _| {
-            let next = space.derivative_space()?;
-            Ok((space.differentiation()?.after(&map)?, next))
+        (0..order).try_fold((None, self.clone()), |(map, space), _| {
+            let (next, step) = (space.derivative_space()?, space.differentiation()?);
+            let map = map.map_or_else(|| Ok(step.clone()), |map| step.after(&map))?;
+            Ok((Some(map), next))
         })
     }
+}
+
+/// `G = left ∘ blocks ∘ right`: to the pieces, their integrals, and back.
+pub(crate) struct GramFactors<T> {
+    pub left: LinearMap<T>,
+    pub blocks: LinearMap<T>,
+    pub right: LinearMap<T>,
 }
 
 impl<T: Scalar, C: Coeff<T>> Spline<T, C> {

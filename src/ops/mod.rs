@@ -2,8 +2,10 @@
 
 pub(crate) mod signs;
 pub mod convert;
+mod run;
 pub mod elevate;
 pub mod embed;
+pub mod pieces;
 pub mod restrict;
 pub mod arithmetic;
 pub mod derivative;

@@ -112,13 +112,13 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     /// The pieces.
     pub(crate) fn patches(&self) -> Result<Vec<Patch<T, 1, C>>> {
         let p = self.degree();
-        let pieces = self.embedded(&self.space().pieces(p)?)?;
-        let breaks = self.space().breaks();
-        let patch = |(ends, coeffs): (&[(T, usize)], &[C])| Patch {
+        let ends = self.space().ends();
+        let pieces = self.bernstein(&ends)?;
+        let patch = |(ends, coeffs): (&[T], &[C])| Patch {
             degrees: [p],
-            sides: [(ends[0].0.clone(), ends[1].0.clone())],
+            sides: [(ends[0].clone(), ends[1].clone())],
             coeffs: coeffs.to_vec(),
         };
-        Ok(breaks.windows(2).zip(pieces.coeffs().chunks(p + 1)).map(patch).collect())
+        Ok(ends.windows(2).zip(pieces.chunks(p + 1)).map(patch).collect())
     }
 }

@@ -85,20 +85,10 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     {
         let target = self.space().product_space(other.space())?;
         let (p, q) = (self.degree(), other.degree());
-        let left = self.embedded(&target.pieces(p)?)?;
-        let right = other.embedded(&target.pieces(q)?)?;
-        let (pieces, divisors) = Shares::new(p, q).multiply_cleared(left.coeffs(), right.coeffs(), &pair);
-        let recomposition = target.recomposition()?;
-        let mut coeffs = recomposition.apply(&pieces)?;
-        if !divisors.is_empty() {
-            for (c, (first, _)) in coeffs.iter_mut().zip(recomposition.rows()) {
-                // Each coefficient comes from a single piece.
-                let divisor = &divisors[first / (p + q + 1)];
-                if !divisor.is_one() {
-                    c.divide(divisor);
-                }
-            }
-        }
+        let ends = target.ends();
+        let (left, right) = (self.bernstein(&ends)?, other.bernstein(&ends)?);
+        let (pieces, divisors) = Shares::new(p, q).multiply_cleared(&left, &right, &pair);
+        let coeffs = target.recomposed(&ends, &pieces, &divisors);
         Spline::new(target, coeffs)
     }
 

@@ -96,7 +96,9 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
             Some(k) if known > 0 => end.get(k),
             _ => None,
         };
-        let right = target.gram(self.space(), 0, 0)?.apply(self.coeffs())?;
+        let (a, b) = self.domain();
+        let factors = target.gram_factors(self.space(), 0, 0, a, b)?;
+        let right = factors.left.apply(&factors.blocks.apply(&factors.right.apply(self.coeffs())?)?)?;
         let gram = target.gram(target, 0, 0)?;
         let border = if target.is_periodic() { target.degree().min(n) } else { 0 };
         let mut system = BandedSystem::new(n - known, border);

@@ -50,7 +50,7 @@ impl<T: Scalar> SplineSpace<T> {
             let samples = (0..=p).map(|l| sample(&place(l))).collect::<Result<Vec<C>>>()?;
             pieces.extend(interpolation.iter().map(|weights| weigh(0, weights, &samples)));
         }
-        Spline::new(self.clone(), self.recomposition()?.apply(&pieces)?)
+        Spline::new(self.clone(), self.recomposed(&self.ends(), &pieces, &[]))
     }
 }
 

@@ -176,14 +176,14 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
         });
         let thinned = thinned.transpose()?.map(|thinned| thinned.spline);
         let f = thinned.as_ref().unwrap_or(self);
-        let pieces = f.embedded(&f.space().pieces(p)?)?;
-        let mut lowered = Vec::with_capacity(pieces.coeffs().len() / (p + 1) * (p + 1 - by));
-        for piece in pieces.coeffs().chunks(p + 1) {
+        let pieces = f.bernstein(&f.space().ends())?;
+        let mut lowered = Vec::with_capacity(pieces.len() / (p + 1) * (p + 1 - by));
+        for piece in pieces.chunks(p + 1) {
             let mut piece = piece.to_vec();
             (0..by).for_each(|_| lower_degree(&mut piece));
             lowered.extend(piece);
         }
-        let coeffs = target.recomposition()?.apply(&lowered)?;
+        let coeffs = target.recomposed(&target.ends(), &lowered, &[]);
         Spline::new(target, coeffs)
     }
 

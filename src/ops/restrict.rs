@@ -67,7 +67,7 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     /// ```
     pub fn restricted(&self, a: &T, b: &T) -> Result<Self> {
         let target = self.space().restricted_space(a, b)?;
-        let coeffs = self.space().insertion_rows(&target).apply(self.coeffs())?;
+        let coeffs = self.space().inserted_coeffs(&target, self.coeffs());
         Spline::new(target, coeffs)
     }
 

@@ -51,7 +51,7 @@ impl<T: Scalar, C: Coeff<T>> TensorSpline<T, C> {
             .product_by(&right.spline_of_rows(), |row, others| Row(shares.multiply(row, others, &pair)))?;
         let pieces = TensorSpline::from_spline_of_rows(rows, target.pieces(p + q)?)?;
         pieces.along(Direction::V, |columns| {
-            let coeffs = target.recomposition()?.apply(columns.coeffs())?;
+            let coeffs = target.recomposed(&target.ends(), columns.coeffs(), &[]);
             Spline::new(target.clone(), coeffs)
         })
     }

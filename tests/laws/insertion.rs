@@ -132,4 +132,12 @@ proptest! {
         let recomposed = f.space().recomposition()?.apply(all.coeffs())?;
         prop_assert_eq!(recomposed, f.coeffs());
     }
+
+    #[test]
+    fn the_kernel_of_pieces_gives_what_their_map_gives(f in function(ANY)) {
+        let map = f.space().embedding(&f.space().pieces(f.degree())?)?;
+        let pieces = f.bezier_pieces()?;
+        let coeffs: Vec<Q> = pieces.iter().flat_map(|piece| piece.coeffs()).cloned().collect();
+        prop_assert_eq!(map.apply(f.coeffs())?, coeffs);
+    }
 }
