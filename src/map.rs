@@ -196,6 +196,9 @@ impl<T: Scalar> LinearMap<T> {
         if first.target_dim() != self.source_dim {
             return Err(Error::CoefficientCount { expected: self.source_dim, found: first.target_dim() });
         }
+        if first.is_identity() {
+            return Ok(self.clone());
+        }
         let mut gather = Gather::new(first.source_dim);
         let mut composed = Self::empty(first.source_dim, self.target_dim());
         for (start, weights) in self.rows() {
@@ -206,6 +209,11 @@ impl<T: Scalar> LinearMap<T> {
             composed.push_with(|weights| gather.drain_into(weights));
         }
         Ok(composed)
+    }
+
+    fn is_identity(&self) -> bool {
+        let keeps = |(i, row): (usize, (usize, &[T]))| row.0 == i && *row.1 == [T::one()];
+        self.target_dim() == self.source_dim && self.rows().enumerate().all(keeps)
     }
 
     /// The functional `functional ∘ self`: what `functional` sees of the coefficients before the map.

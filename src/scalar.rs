@@ -87,8 +87,8 @@ pub trait Scalar:
         (0..6).fold((self.clone() + Self::one()) * &half, step)
     }
 
-    /// A number that never decreases with `self`, about `(self - start) * per_unit`: where to begin looking for `self` among
-    /// sorted numbers. Zero, which tells nothing, is right too.
+    /// A number that never decreases with `self`, from `start` on, about `(self - start) * per_unit`: where to begin looking for
+    /// `self` among sorted numbers. Always the same number, which tells nothing, is right too.
     fn bucket(&self, start: &Self, per_unit: &Self) -> usize {
         let _ = (start, per_unit);
         0
@@ -206,8 +206,11 @@ impl Scalar for f64 {
     fn bucket(&self, start: &Self, per_unit: &Self) -> usize {
         // Beyond 2^52 the last bits of a number are its integer part, rounded: a cast takes several times as long.
         const UNIT: f64 = (1_u64 << 52) as f64;
+        const MOST: f64 = u32::MAX as f64;
         let count = (self - start) * per_unit;
-        if count < u32::MAX as f64 { (count + UNIT).to_bits() as u32 as usize } else { 0 }
+        // Not a number, which is zero times infinity, counts as the most too.
+        let count = if count < MOST { count } else { MOST };
+        (count + UNIT).to_bits() as u32 as usize
     }
 
     #[inline]

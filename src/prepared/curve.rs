@@ -48,7 +48,7 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     /// order `d` by `(2 p / w)^d` times as much on a span of length `w`. Of higher degrees only the search for spans is prepared.
     ///
     /// # Errors
-    /// [`NotFinite`](crate::Error::NotFinite) for coefficients so large that those of powers overflow;
+    /// [`NotFinite`](crate::Error::NotFinite) for coefficients so large that those of powers overflow or nearly do;
     /// [`TooLarge`](crate::Error::TooLarge).
     ///
     /// # Examples
@@ -132,7 +132,9 @@ impl<T: Scalar, C: Coeff<T>> Evaluator<T, C> {
     ) -> Result<()> {
         for group in parameters.chunks(GROUP) {
             let span = self.spans.locate(&group[0])?;
-            if span.abs_diff(self.spans.locate(&group[group.len() - 1])?) > GROUP / 8 {
+            // A last one outside the domain is met in its turn.
+            let end = self.spans.locate(&group[group.len() - 1]).unwrap_or(span);
+            if span.abs_diff(end) > GROUP / 8 {
                 // In no order: whether a span holds the next parameter too is not worth a question.
                 for x in group {
                     take(value(&piece(self.spans.locate(x)?), x));

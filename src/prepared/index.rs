@@ -19,7 +19,7 @@ pub(crate) struct SpanIndex<T> {
     per_unit: T,
     /// The first span that may hold a parameter of each bucket.
     guide: Vec<u32>,
-    /// The first step of the search in a bucket, a power of two, or zero if no bucket leaves a choice.
+    /// The first step of the search in a bucket, a power of two.
     reach: usize,
 }
 

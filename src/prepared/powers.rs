@@ -53,32 +53,28 @@ impl<T: Scalar> Local<T> {
 
 /// Turns Bernstein coefficients into those of powers; keeps its scratch.
 pub(crate) struct Centring<T, C> {
-    binomials: Vec<T>,
-    half: T,
+    /// The weights `C(p, k) C(p - k, i) / 2^(p-k)` of differences `i` of order `k`.
+    means: Vec<Vec<T>>,
     differences: Vec<C>,
-    means: Vec<C>,
 }
 
 impl<T: Scalar, C: Coeff<T>> Centring<T, C> {
     pub(crate) fn new(degree: usize) -> Self {
-        Self { binomials: binomials(degree), half: T::frac(1, 2), differences: Vec::new(), means: Vec::new() }
+        let mean = |(k, factor): (usize, T)| {
+            let share = factor / T::int(1 << (degree - k));
+            binomials::<T>(degree - k).into_iter().map(|count| count * &share).collect()
+        };
+        let means = binomials(degree).into_iter().enumerate().map(mean).collect();
+        Self { means, differences: Vec::with_capacity(degree + 1) }
     }
 
     /// Replaces the coefficients at `first`, `first + stride`, ... of `coeffs`.
     pub(crate) fn centre(&mut self, coeffs: &mut [C], first: usize, stride: usize) {
-        let (p, half) = (self.binomials.len() - 1, &self.half);
-        let place = |k: usize| first + k * stride;
-        let (differences, means) = (&mut self.differences, &mut self.means);
+        let (order, differences) = (self.means.len(), &mut self.differences);
         differences.clear();
-        differences.extend((0..=p).map(|k| coeffs[place(k)].clone()));
-        for (k, binomial) in self.binomials.iter().enumerate() {
-            means.clone_from(differences);
-            for count in (1..differences.len()).rev() {
-                for i in 0..count {
-                    means[i] = means[i].scaled(half).plus_scaled(half, &means[i + 1]);
-                }
-            }
-            coeffs[place(k)] = means[0].scaled(binomial);
+        differences.extend(coeffs[first..].iter().step_by(stride).take(order).cloned());
+        for (k, mean) in self.means.iter().enumerate() {
+            coeffs[first + k * stride] = weigh(0, mean, differences);
             for i in 1..differences.len() {
                 differences[i - 1] = differences[i].minus(&differences[i - 1]);
             }
@@ -87,9 +83,13 @@ impl<T: Scalar, C: Coeff<T>> Centring<T, C> {
     }
 }
 
-/// Refuses coefficients that have left the range of the field.
+/// Refuses coefficients that have left the range of the field, or come so near to its end that a value might.
+///
+/// With `|s| <= 1/2` the partial sums of Horner's rule are at most twice the largest coefficient, in two directions four times.
 pub(crate) fn check_finite<T: Scalar, C: Coeff<T>>(coeffs: &[C]) -> Result<()> {
-    match coeffs.iter().position(|c| !c.all_finite()) {
+    let room = T::int(4);
+    let fits = |x: &T| (x.clone() * &room).is_finite();
+    match coeffs.iter().position(|c| !c.components().all(fits)) {
         Some(index) => Err(Error::NotFinite { what: "coefficient of a power", index }),
         None => Ok(()),
     }
@@ -142,16 +142,21 @@ pub(crate) fn single_derivatives<const COUNT: usize, T: Scalar, C: Coeff<T>>(
 }
 
 /// Makes derivatives with respect to `x` of Taylor coefficients in `s`.
+///
+/// One slope at a time: a power of slopes may leave the range of the field where the derivative does not.
 #[inline(always)]
 #[allow(
     clippy::needless_range_loop,
     reason = "an iterator would leave the array in memory, and it is on its way to a caller"
 )]
 fn differentiate<const COUNT: usize, T: Scalar, C: Coeff<T>>(taylor: &mut [C; COUNT], slope: &T) {
-    let mut factor = T::one();
+    let mut factorial = T::one();
     for d in 1..COUNT {
-        factor = factor * slope * T::int(d as i64);
-        taylor[d].scale(&factor);
+        if d > 1 {
+            factorial *= T::int(d as i64);
+            taylor[d].scale(&factorial);
+        }
+        (0..d).for_each(|_| taylor[d].scale(slope));
     }
 }
 

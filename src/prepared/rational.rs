@@ -30,6 +30,10 @@ pub struct RationalEvaluator<E> {
 impl<T: Scalar, C: Coeff<T>> Rational<Interval, T, C> {
     /// The curve prepared for many values, as [`Spline::evaluator`](crate::Spline::evaluator).
     ///
+    /// In `f64` what is said there of rounding holds for numerator and denominator. Where the denominator is `r` times smaller
+    /// than the largest weight under the span, a value is off by about `2 r` times as much, and for large `r` it need not even
+    /// be finite: [`at`](Self::at) stays accurate there.
+    ///
     /// # Errors
     /// As [`Spline::evaluator`](crate::Spline::evaluator).
     pub fn evaluator(&self) -> Result<RationalEvaluator<Evaluator<T, Weighted<T, C>>>> {
@@ -38,7 +42,8 @@ impl<T: Scalar, C: Coeff<T>> Rational<Interval, T, C> {
 }
 
 impl<T: Scalar, C: Coeff<T>> Rational<Rectangle, T, C> {
-    /// The surface prepared for many values, as [`TensorSpline::evaluator`](crate::TensorSpline::evaluator).
+    /// The surface prepared for many values, as [`TensorSpline::evaluator`](crate::TensorSpline::evaluator). Weights that differ
+    /// much cost accuracy as for curves.
     ///
     /// # Errors
     /// As [`TensorSpline::evaluator`](crate::TensorSpline::evaluator).

@@ -47,7 +47,7 @@ impl<T: Scalar, C: Coeff<T>> TensorSpline<T, C> {
     /// largest coefficient under the patch, where `ε = 2^-52`. Surfaces of higher degree are kept as they are.
     ///
     /// # Errors
-    /// [`NotFinite`](crate::Error::NotFinite) for coefficients so large that those of powers overflow;
+    /// [`NotFinite`](crate::Error::NotFinite) for coefficients so large that those of powers overflow or nearly do;
     /// [`TooLarge`](crate::Error::TooLarge).
     ///
     /// # Examples

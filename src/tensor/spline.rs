@@ -85,7 +85,9 @@ impl<T: Scalar, C: Coeff<T>> TensorSpline<T, C> {
         if let Some(index) = rows.iter().position(|row| row.len() != rows[0].len()) {
             return Err(Error::Ragged { index });
         }
-        Self::new(u, v, rows.into_iter().flatten().collect())
+        let mut coeffs = Vec::with_capacity(rows.len().saturating_mul(rows.first().map_or(0, Vec::len)));
+        rows.into_iter().for_each(|row| coeffs.extend(row));
+        Self::new(u, v, coeffs)
     }
 
     /// The spline that has the value `value` everywhere.
@@ -168,7 +170,8 @@ impl<T: Scalar, C: Coeff<T>> TensorSpline<T, C> {
     /// ```
     pub fn transposed(&self) -> Self {
         let column = |j: usize| self.coeffs[j..].iter().step_by(self.v.dim()).cloned();
-        let coeffs = (0..self.v.dim()).flat_map(column).collect();
+        let mut coeffs = Vec::with_capacity(self.coeffs.len());
+        (0..self.v.dim()).for_each(|j| coeffs.extend(column(j)));
         Self { u: self.v.clone(), v: self.u.clone(), coeffs }
     }
 

@@ -11,6 +11,7 @@ mod oracle;
 
 mod basis;
 mod evaluators;
+mod evaluators_floats;
 mod polar;
 mod spaces;
 mod containment;
