@@ -59,17 +59,15 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     /// # Ok::<(), symspline::Error>(())
     /// ```
     pub fn evaluator(&self) -> Result<Evaluator<T, C>> {
-        let spans = SpanIndex::new(self.space());
         let p = self.degree();
         if p > POWERS {
-            let starts = spans.breaks()[..spans.breaks().len() - 1].iter().map(|x| self.space().locate(x));
-            let pieces = Pieces::Plain { spline: self.clone(), starts: starts.collect::<Result<_>>()? };
-            return Ok(Evaluator { spans, pieces });
+            return self.plain_evaluator();
         }
+        let spans = SpanIndex::new(self.space());
         let locals = Local::of_spans(spans.breaks());
         let order = LEAST.max(p + 1);
         check_dim(locals.len().saturating_mul(order))?;
-        let pieces = self.embedded(&self.space().pieces(p)?)?.into_coeffs();
+        let pieces = self.bernstein(spans.breaks())?;
         let mut coeffs: Vec<C> = Vec::with_capacity(locals.len() * order);
         let mut centring = Centring::new(p);
         for piece in pieces.chunks(p + 1) {
@@ -80,6 +78,14 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
         }
         check_finite(&coeffs)?;
         Ok(Evaluator { spans, pieces: Pieces::Powers { order, locals, coeffs } })
+    }
+
+    /// The evaluator that keeps the spline as it is and prepares only the search for spans.
+    pub(crate) fn plain_evaluator(&self) -> Result<Evaluator<T, C>> {
+        let spans = SpanIndex::new(self.space());
+        let starts = spans.breaks()[..spans.breaks().len() - 1].iter().map(|x| self.space().locate(x));
+        let pieces = Pieces::Plain { spline: self.clone(), starts: starts.collect::<Result<_>>()? };
+        Ok(Evaluator { spans, pieces })
     }
 }
 

@@ -8,7 +8,7 @@ use crate::prepared::surface::SurfaceEvaluator;
 use crate::rational::domain::{Interval, Rectangle};
 use crate::rational::quotient::quotient;
 use crate::rational::spline::Rational;
-use crate::scalar::Scalar;
+use crate::scalar::{Scalar, larger};
 use crate::weighted::Weighted;
 
 /// A rational spline prepared for values at many parameters: an evaluator `E` of its lifted spline.
@@ -31,25 +31,37 @@ impl<T: Scalar, C: Coeff<T>> Rational<Interval, T, C> {
     /// The curve prepared for many values, as [`Spline::evaluator`](crate::Spline::evaluator).
     ///
     /// In `f64` what is said there of rounding holds for numerator and denominator. Where the denominator is `r` times smaller
-    /// than the largest weight under the span, a value is off by about `2 r` times as much, and for large `r` it need not even
-    /// be finite: [`at`](Self::at) stays accurate there.
+    /// than the largest weight under the span, a value is off by about `2 r` times as much. With weights that differ more than
+    /// a thousandfold only the search for spans is prepared.
     ///
     /// # Errors
     /// As [`Spline::evaluator`](crate::Spline::evaluator).
     pub fn evaluator(&self) -> Result<RationalEvaluator<Evaluator<T, Weighted<T, C>>>> {
-        Ok(RationalEvaluator { lifted: self.lifted().evaluator()? })
+        let lifted = self.lifted();
+        let lifted = if uneven(lifted.coeffs()) { lifted.plain_evaluator() } else { lifted.evaluator() };
+        Ok(RationalEvaluator { lifted: lifted? })
     }
 }
 
 impl<T: Scalar, C: Coeff<T>> Rational<Rectangle, T, C> {
     /// The surface prepared for many values, as [`TensorSpline::evaluator`](crate::TensorSpline::evaluator). Weights that differ
-    /// much cost accuracy as for curves.
+    /// much cost accuracy as for curves; with weights that differ more than a thousandfold the surface is kept as it is.
     ///
     /// # Errors
     /// As [`TensorSpline::evaluator`](crate::TensorSpline::evaluator).
     pub fn evaluator(&self) -> Result<RationalEvaluator<SurfaceEvaluator<T, Weighted<T, C>>>> {
-        Ok(RationalEvaluator { lifted: self.lifted().evaluator()? })
+        let lifted = self.lifted();
+        let lifted = if uneven(lifted.coeffs()) { Ok(lifted.plain_evaluator()) } else { lifted.evaluator() };
+        Ok(RationalEvaluator { lifted: lifted? })
     }
+}
+
+/// Whether rounding of powers could matter beside the smallest weight.
+fn uneven<T: Scalar, C: Coeff<T>>(lifted: &[Weighted<T, C>]) -> bool {
+    let weights = || lifted.iter().map(|c| c.weight.clone());
+    let smallest = weights().reduce(|least, w| if w < least { w } else { least });
+    let largest = weights().reduce(larger);
+    !T::EXACT && largest > smallest.map(|weight| weight * T::int(1000))
 }
 
 /// Curves: the quotient rule with one column.

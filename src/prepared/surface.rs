@@ -44,7 +44,8 @@ impl<T: Scalar, C: Coeff<T>> TensorSpline<T, C> {
     ///
     /// Up to a sum `p + q = 10` of degrees every patch becomes a polynomial in powers about its middle, which takes
     /// `(p + 1) (q + 1)` coefficients a patch. In `f64` a value is then off by at most `4 (p + q + 2) 2^(p+q) ε` times the
-    /// largest coefficient under the patch, where `ε = 2^-52`. Surfaces of higher degree are kept as they are.
+    /// largest coefficient under the patch, where `ε = 2^-52`. Surfaces of higher degree are kept as they are. The
+    /// table is large: beyond some ten thousand patches it leaves the caches, and [`eval`](Self::eval) may be faster.
     ///
     /// # Errors
     /// [`NotFinite`](crate::Error::NotFinite) for coefficients so large that those of powers overflow or nearly do;
@@ -62,7 +63,7 @@ impl<T: Scalar, C: Coeff<T>> TensorSpline<T, C> {
         let (u, v) = (SpanIndex::new(self.u()), SpanIndex::new(self.v()));
         let (p, q) = (self.u().degree(), self.v().degree());
         if p + q > POWERS {
-            return Ok(SurfaceEvaluator { u, v, pieces: Pieces::Plain(self.clone()) });
+            return Ok(self.plain_evaluator());
         }
         let (us, vs) = (Local::of_spans(u.breaks()), Local::of_spans(v.breaks()));
         let size = (p + 1) * (q + 1);
@@ -82,6 +83,12 @@ impl<T: Scalar, C: Coeff<T>> TensorSpline<T, C> {
         }
         check_finite(&coeffs)?;
         Ok(SurfaceEvaluator { u, v, pieces: Pieces::Powers { orders: (p + 1, q + 1), us, vs, coeffs } })
+    }
+
+    /// The evaluator that keeps the surface as it is.
+    pub(crate) fn plain_evaluator(&self) -> SurfaceEvaluator<T, C> {
+        let (u, v) = (SpanIndex::new(self.u()), SpanIndex::new(self.v()));
+        SurfaceEvaluator { u, v, pieces: Pieces::Plain(self.clone()) }
     }
 }
 

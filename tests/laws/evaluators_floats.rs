@@ -255,7 +255,7 @@ proptest! {
         }
     }
 
-    /// The denominator is `r` times smaller than the largest weight.
+    /// The denominator is `r` times smaller than the largest weight; beyond a thousand no powers are used.
     #[test]
     fn weights_cost_what_is_said(
         points in vec((-1.0..1.0_f64, 0..20_i32), 4..8),
@@ -269,7 +269,7 @@ proptest! {
         let (evaluator, exact) = (c.evaluator()?, c.to_exact()?);
         for x in at.into_iter().chain([0.0, 1.0]) {
             let x_exact = Q::try_from(x)?;
-            let r = largest / exact.lifted().at(&x_exact)?.weight.to_f64();
+            let r = f64::min(largest / exact.lifted().at(&x_exact)?.weight.to_f64(), 1000.0);
             let bound = 4.0 * (p + 1) as f64 * (p as f64).exp2() * f64::EPSILON * 2.1 * r;
             prop_assert!((evaluator.at(&x)?[0] - exact.at(&x_exact)?[0].to_f64()).abs() <= bound);
         }
