@@ -128,7 +128,9 @@ impl<T: Scalar> SplineSpace<T> {
     /// # Ok::<(), symspline::Error>(())
     /// ```
     pub fn bezier(degree: usize, a: T, b: T) -> Result<Self> {
-        Self::clamped(degree, [a, b])
+        check_degree(degree)?;
+        let end = |t: T| std::iter::repeat_n(t, degree + 1);
+        Self::new(degree, end(a).chain(end(b)))
     }
 
     /// The clamped space with `spans` equal spans on `[a, b]`.
