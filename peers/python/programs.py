@@ -6,7 +6,6 @@ The C++ programs print a line of JSON for each way: its time, and its answer, wh
 import json
 import re
 import subprocess
-from collections import Counter
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -18,7 +17,6 @@ from questions import QUESTIONS, Answer, Interpolant, Pieces, Points, Spline
 
 ROOT = Path(__file__).resolve().parents[2]
 BUILT = ROOT / "target" / "peers"
-UNITS = {"ns": 1e-9, "us": 1e-6, "µs": 1e-6, "μs": 1e-6, "ms": 1e-3, "s": 1.0}
 OCCT_HEADERS = Path("/usr/include/opencascade")
 
 
@@ -122,19 +120,50 @@ def rust_figures(file: Path, say: Callable[[str], None]) -> bool:
     return file.exists()
 
 
-def symspline(file: Path) -> list[Result]:
-    """The figures of symspline in `file`, in the units of the questions here.
+# The rows of the Rust program: group, name, how many things the program counts, and for how many the question asks.
+CURVE, SURFACE, OPERATORS, PRODUCTS = "Curve", "Surface", "Operators", "Products"
+RUST_ROWS = {
+    "curve point, single, sorted": (CURVE, "point, one at a time, sorted", None),
+    "curve point, single, random": (CURVE, "point, one at a time, random", None),
+    "curve point, batch, sorted": (CURVE, "points, batch, sorted", None),
+    "curve point, batch, random": (CURVE, "points, batch, random", None),
+    "curve point and 2 derivatives, single, random": (CURVE, "two derivatives, one at a time, random", None),
+    "curve point and 2 derivatives, batch, sorted": (CURVE, "two derivatives, batch, sorted", None),
+    "surface point, single, random": (SURFACE, "point, one at a time, random", None),
+    "surface point, batch, random": (SURFACE, "points, batch, random", None),
+    "surface grid": (SURFACE, "points, grid 1000 x 100", None),
+    "surface point and first derivatives, random": (SURFACE, "first derivatives, random", None),
+    "refine every span": (OPERATORS, "a knot in the middle of each span", 1000),
+    "elevate by one": (OPERATORS, "elevation by one", 1000),
+    "remove inserted knots": (OPERATORS, "the inserted knots taken out", 1000),
+    "reduce an elevated curve": (OPERATORS, "the elevated degree lowered", 1000),
+    "product 3x3": (PRODUCTS, "product 3 x 3", 0),
+    "product 2x2": (PRODUCTS, "product 2 x 2", 0),
+    "derivative": (OPERATORS, "derivative", 1000),
+    "antiderivative": (OPERATORS, "antiderivative", 1000),
+    "interpolate 1000 points": (OPERATORS, "interpolation at chord lengths", 1000),
+    "Bezier pieces": (OPERATORS, "all Bezier pieces", 1000),
+}
 
-    A question of one size on both sides needs no agreement whether spans or control points are counted.
+
+def symspline(file: Path) -> list[Result]:
+    """The figures of symspline in `file`, in the units of the questions here, as it is and prepared.
+
+    The Rust program counts seconds a thing, a point or a span; operators are asked for a curve of 997 spans or so.
     """
-    rows = [row for row in json.loads(file.read_text())["rows"] if row["question"] in QUESTIONS]
-    times = Counter(row["question"] for row in rows)
+    rows = json.loads(file.read_text())["rows"]
     results = []
-    for row in rows:
-        question, found = QUESTIONS[row["question"]], row["figures"].get("symspline")
-        only = times[question.name] == len(question.sizes) == 1
-        size = question.sizes[0] if only else row["size"]
-        if size in question.sizes and isinstance(found, int | float):
-            seconds = found * UNITS[row["unit"].split("/")[0].strip()]
-            results.append(Result(question.name, size, "symspline", "", figure(question, seconds, 1)))
+    for question in QUESTIONS.values():
+        group, name, count = RUST_ROWS[question.name]
+        for row in (row for row in rows if (row["group"], row["name"]) == (group, name)):
+            if count and row["count"] != count:
+                continue
+            size = row["count"] if count == 0 else question.sizes[0]
+            things = 1 if count is None else row["count"]
+            for column, how in (("symspline", "by its operators"), ("symspline, prepared", "by an evaluator")):
+                found = row["seconds"].get(column)
+                if size in question.sizes and isinstance(found, dict) and "least" in found:
+                    results.append(
+                        Result(question.name, size, "symspline", how, figure(question, found["least"] * things, 1))
+                    )
     return results
