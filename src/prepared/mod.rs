@@ -1,8 +1,8 @@
 //! Evaluators: splines prepared for many values.
 //!
-//! An [`Evaluator`] holds every piece of a spline as a polynomial in powers and finds spans by a [guide](index) instead of a
-//! search. Preparing costs a few values a span, and then values and derivatives at parameters in any order cost a fraction of
-//! [`at`](crate::Spline::at). Evaluators share nothing with their spline and can be sent to other threads.
+//! An [`Evaluator`](curve::Evaluator) holds every piece of a spline as a polynomial in powers and finds spans by a guide instead
+//! of a search. Preparing costs a few values a span, and then values and derivatives at parameters in any order cost a fraction
+//! of [`at`](crate::Spline::at). Evaluators share nothing with their spline and can be sent to other threads.
 
 mod index;
 mod powers;
