@@ -71,6 +71,10 @@ pub(crate) fn eliminated<T: Scalar>(matrix: &DMatrix<T>, right: &DMatrix<T>) -> 
     }
     let mut solution = DMatrix::from_element(n, count, T::zero());
     for k in (0..n).rev() {
+        // A pivot beyond the range would divide its row to zero.
+        if !rows[k][k].is_finite() {
+            return Err(Error::Singular { row: k });
+        }
         for c in 0..count {
             let known = T::dot(rows[k][k + 1..n].iter().zip(solution.column(c).iter().skip(k + 1)));
             solution[(k, c)] = (rows[k][n + c].clone() - known) / &rows[k][k];
@@ -121,6 +125,12 @@ mod tests {
         let bad = dmatrix![1.0, f64::NAN; 0.0, 1.0];
         assert_eq!(what(&bad, &square), Error::NotFinite { what: "entry", index: 2 });
         assert_eq!(what(&square, &bad), Error::NotFinite { what: "right-hand side", index: 2 });
+    }
+
+    #[test]
+    fn a_pivot_that_overflows_is_no_pivot() {
+        let matrix = dmatrix![-1e308, 1e308; 1e308, 1e308];
+        assert_eq!(solve_dense(&matrix, &dmatrix![1.0; 2.0]), Err(Error::Singular { row: 1 }));
     }
 
     #[test]

@@ -12,7 +12,8 @@ impl<T: Scalar> SplineSpace<T> {
     /// In a periodic space the seam, that is the start of the domain, counts as inside.
     ///
     /// # Errors
-    /// [`Error::NotFinite`], [`Error::OutsideDomain`] for a knot not strictly inside, [`Error::Multiplicity`].
+    /// [`Error::NotFinite`], [`Error::OutsideDomain`] for a knot not strictly inside, [`Error::Multiplicity`],
+    /// [`Error::TooLarge`]; [`Error::SpanOutOfRange`] if knots come too near for floating point.
     ///
     /// # Examples
     /// ```
@@ -56,27 +57,33 @@ impl<T: Scalar> SplineSpace<T> {
     /// The space with the middle of every span as a further knot.
     ///
     /// # Errors
-    /// [`Error::Multiplicity`] if a span is too short to have a middle in the field.
+    /// [`Error::SpanOutOfRange`] if a span is too short to have a middle in the field.
     ///
     /// # Examples
     /// ```
-    /// use symspline::SplineSpace;
+    /// use symspline::{Error, SplineSpace};
     /// let space = SplineSpace::clamped(2, [0.0, 1.0, 3.0])?;
     /// assert_eq!(space.bisected()?, SplineSpace::clamped(2, [0.0, 0.5, 1.0, 2.0, 3.0])?);
-    /// # Ok::<(), symspline::Error>(())
+    /// let narrow = SplineSpace::bezier(2, 1.0, 1.0 + f64::EPSILON)?;
+    /// assert_eq!(narrow.bisected(), Err(Error::SpanOutOfRange { index: 2 }));
+    /// # Ok::<(), Error>(())
     /// ```
     pub fn bisected(&self) -> Result<Self> {
         let t = self.knots();
-        let middles: Vec<T> =
-            self.spans().map(|k| t[k].clone() + (t[k + 1].clone() - &t[k]) / T::int(2)).collect();
-        self.refined(&middles)
+        let middle = |k: usize| {
+            let middle = t[k].clone() + (t[k + 1].clone() - &t[k]) / T::int(2);
+            let inside = t[k] < middle && middle < t[k + 1];
+            if inside { Ok(middle) } else { Err(Error::SpanOutOfRange { index: k }) }
+        };
+        self.refined(&self.spans().map(middle).collect::<Result<Vec<T>>>()?)
     }
 
     /// The space of degree `p + raise` that holds this one: every distinct knot gets `raise` more copies, so that
     /// no smoothness is lost and none is gained.
     ///
     /// # Errors
-    /// [`Error::DegreeTooHigh`].
+    /// [`Error::DegreeTooHigh`], [`Error::TooLarge`]; [`Error::SpanOutOfRange`] if more knots beyond a periodic domain are
+    /// needed and fall together by rounding.
     ///
     /// # Examples
     /// ```
@@ -141,7 +148,7 @@ impl<T: Scalar> SplineSpace<T> {
     /// needs.
     ///
     /// # Errors
-    /// [`Error::Multiplicity`] if rounding makes outer knots coincide.
+    /// [`Error::SpanOutOfRange`] if rounding makes outer knots coincide; [`Error::NotFinite`] if they overflow.
     ///
     /// # Examples
     /// ```
@@ -230,7 +237,7 @@ impl<T: Scalar> SplineSpace<T> {
     /// `max(m + q if m > 0, n + p if n > 0)`.
     ///
     /// # Errors
-    /// [`Error::DomainMismatch`], [`Error::DegreeTooHigh`].
+    /// [`Error::DomainMismatch`], [`Error::DegreeTooHigh`], [`Error::TooLarge`].
     ///
     /// # Examples
     /// ```

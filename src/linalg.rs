@@ -112,6 +112,10 @@ impl<T: Scalar, C: Coeff<T>> BandedSystem<T, C> {
             };
             let border = if column < inside { &row.border[..] } else { &[] };
             let pivot = own.expect("a pivot row has an entry in its column");
+            // A pivot beyond the range would divide its row to zero.
+            if !pivot.is_finite() {
+                return Err(Error::Singular { row: row.index });
+            }
             let known = (after..).zip(entries).chain((inside..).zip(border));
             let known = known.map(|(j, weight)| (weight, &reversed[self.unknowns - 1 - j]));
             let mut rest = row.right.clone();

@@ -224,13 +224,13 @@ impl<T: Scalar> SplineSpace<T> {
             }
         });
         let space = Self { degree, knots: KnotVector::new(unrolled)?, dim: m, periodic: true };
-        space.check_knots()?;
         // Rounding may not make knots fall together a period away that are distinct here.
         let same = |j: usize| space.knots[j] == space.knots[j + 1];
-        match (0..2 * degree).find(|&j| same(j) != same(j + m)) {
-            Some(index) => Err(Error::SpanOutOfRange { index }),
-            None => Ok(space),
+        if let Some(index) = (0..2 * degree).find(|&j| same(j) != same(j + m)) {
+            return Err(Error::SpanOutOfRange { index });
         }
+        space.check_knots()?;
+        Ok(space)
     }
 
     fn check_knots(&self) -> Result<()> {

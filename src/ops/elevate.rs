@@ -62,7 +62,7 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     /// The same function with its degree raised by `raise`; see [`SplineSpace::elevated`] for the knots.
     ///
     /// # Errors
-    /// [`DegreeTooHigh`](crate::Error::DegreeTooHigh), [`TooLarge`](crate::Error::TooLarge).
+    /// As [`SplineSpace::elevated`].
     ///
     /// # Examples
     /// ```

@@ -20,7 +20,7 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     /// Computes what [NURBS, A5.6] does, with the original parameters kept.
     ///
     /// # Errors
-    /// None for a valid spline.
+    /// [`TooLarge`](crate::Error::TooLarge).
     ///
     /// # Examples
     /// ```

@@ -27,7 +27,7 @@ impl<T: Scalar> SplineSpace<T> {
     /// Fixing one side gives the table of products by a known factor, see [`BilinearMap::fix_left`].
     ///
     /// # Errors
-    /// [`Error::DomainMismatch`], [`Error::DegreeTooHigh`].
+    /// [`Error::DomainMismatch`], [`Error::DegreeTooHigh`], [`Error::TooLarge`].
     ///
     /// # Examples
     /// ```
@@ -66,7 +66,7 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     /// are. Nothing checks that `pair` is bilinear.
     ///
     /// # Errors
-    /// [`Error::DomainMismatch`], [`Error::DegreeTooHigh`]; [`Error::NotFinite`] on overflow.
+    /// [`Error::DomainMismatch`], [`Error::DegreeTooHigh`], [`Error::TooLarge`]; [`Error::NotFinite`] on overflow.
     ///
     /// # Examples
     /// ```
