@@ -40,6 +40,13 @@ impl<T: Scalar, C: Coeff<T>> BandedSystem<T, C> {
     pub(crate) fn push(&mut self, first: usize, weights: &[T], right: C) {
         let inside = self.unknowns - self.border;
         let mut border = vec![T::zero(); self.border];
+        // Room for what elimination fills in.
+        let mut run = Vec::with_capacity(2 * weights.len());
+        if first < inside && weights.len() <= inside - first {
+            run.extend_from_slice(weights);
+            self.rows.push(Row { index: self.rows.len(), first, run, border, right });
+            return;
+        }
         let mut entries: Vec<(usize, &T)> = Vec::with_capacity(weights.len());
         for (k, w) in weights.iter().enumerate() {
             match (first + k) % self.unknowns {
@@ -49,7 +56,7 @@ impl<T: Scalar, C: Coeff<T>> BandedSystem<T, C> {
         }
         let low = entries.iter().map(|e| e.0).min().unwrap_or(inside);
         let width = entries.iter().map(|e| e.0 + 1 - low).max().unwrap_or(0);
-        let mut run = vec![T::zero(); width];
+        run.resize(width, T::zero());
         entries.into_iter().for_each(|(column, w)| run[column - low] += w);
         self.rows.push(Row { index: self.rows.len(), first: low, run, border, right });
     }
