@@ -30,7 +30,7 @@ impl<T: Scalar> SpanIndex<T> {
         let spans = breaks.len() - 1;
         let per_unit = T::int(2 * spans as i64) / (breaks[spans].clone() - &breaks[0]);
         let mut index = Self { breaks, per_unit, guide: Vec::new(), reach: 0 };
-        let buckets: Vec<usize> = index.breaks.iter().map(|t| index.bucket(t)).collect();
+        let buckets: Vec<usize> = index.breaks.iter().map(|t| index.bucket(t, 2 * spans + 2)).collect();
         let most = buckets.chunk_by(usize::eq).map(<[usize]>::len).max().unwrap_or(0);
         // Steps of `reach`, half of it, ..., 1 pass up to `2 reach - 1` knots.
         index.reach = (most + 1).next_power_of_two() / 2;
@@ -49,8 +49,8 @@ impl<T: Scalar> SpanIndex<T> {
         &self.breaks
     }
 
-    fn bucket(&self, x: &T) -> usize {
-        x.bucket(&self.breaks[0], &self.per_unit).min(2 * self.breaks.len())
+    fn bucket(&self, x: &T, last: usize) -> usize {
+        x.bucket(&self.breaks[0], &self.per_unit).min(last)
     }
 
     /// The span `s` that holds `x` in `[breaks[s], breaks[s + 1])`; the last one also holds its end.
@@ -71,7 +71,7 @@ impl<T: Scalar> SpanIndex<T> {
         if !(self.breaks[0] <= *x && *x <= self.breaks[last]) {
             return None;
         }
-        let mut span = self.guide[self.bucket(x)] as usize;
+        let mut span = self.guide[self.bucket(x, self.guide.len() - 1)] as usize;
         let mut step = self.reach;
         while step > 0 {
             let probe = (span + step).min(last);

@@ -178,8 +178,12 @@ fn taylor<const COUNT: usize, T: Scalar, C: Coeff<T>, B: Borrow<C>>(
 #[inline(always)]
 fn single_taylor<const COUNT: usize, T: Scalar, C: Coeff<T>>(coeffs: &[C], s: &T) -> [C; COUNT] {
     let (low, high) = coeffs.split_first_chunk::<LEAST>().expect("short pieces are padded");
-    let mut sums = std::array::from_fn(|_| low[0].zero_like());
-    high.iter().rev().for_each(|c| horner(&mut sums, s, c));
+    let [low @ .., top] = low;
+    let mut sums =
+        std::array::from_fn(|d| if d == 0 && high.is_empty() { top.clone() } else { top.zero_like() });
+    if !high.is_empty() {
+        high.iter().rev().chain([top]).for_each(|c| horner(&mut sums, s, c));
+    }
     low.iter().rev().for_each(|c| horner(&mut sums, s, c));
     sums
 }
