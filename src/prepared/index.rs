@@ -26,7 +26,7 @@ pub(crate) struct SpanIndex<T> {
 impl<T: Scalar> SpanIndex<T> {
     /// The spans of the domain of `space`.
     pub(crate) fn new(space: &SplineSpace<T>) -> Self {
-        let breaks: Vec<T> = space.breaks().into_iter().map(|(t, _)| t).collect();
+        let breaks = space.ends();
         let spans = breaks.len() - 1;
         let per_unit = T::int(2 * spans as i64) / (breaks[spans].clone() - &breaks[0]);
         let mut index = Self { breaks, per_unit, guide: Vec::new(), reach: 0 };

@@ -162,7 +162,7 @@ fn differentiate<const COUNT: usize, T: Scalar, C: Coeff<T>>(taylor: &mut [C; CO
 
 /// The first `COUNT` Taylor coefficients at `s`.
 #[inline(always)]
-fn taylor<const COUNT: usize, T: Scalar, C: Coeff<T>, B: Borrow<C>>(
+pub(crate) fn taylor<const COUNT: usize, T: Scalar, C: Coeff<T>, B: Borrow<C>>(
     coeffs: impl DoubleEndedIterator<Item = B>,
     s: &T,
 ) -> [C; COUNT] {

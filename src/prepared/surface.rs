@@ -5,7 +5,7 @@ use crate::error::Result;
 use crate::limits::check_dim;
 use crate::prepared::evaluate::Evaluate;
 use crate::prepared::index::SpanIndex;
-use crate::prepared::powers::{Centring, Local, check_finite, derivatives, value};
+use crate::prepared::powers::{Centring, Local, check_finite, derivatives, taylor, value};
 use crate::scalar::Scalar;
 use crate::tensor::spline::TensorSpline;
 
@@ -24,19 +24,25 @@ const POWERS: usize = 10;
 /// # Ok::<(), symspline::Error>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct SurfaceEvaluator<T, C> {
-    u: SpanIndex<T>,
-    v: SpanIndex<T>,
-    pieces: Pieces<T, C>,
-}
+pub struct SurfaceEvaluator<T, C>(Pieces<T, C>);
 
-/// The polynomials of the patches, row by row of them.
+/// The polynomials of the patches.
 #[derive(Clone, Debug)]
 enum Pieces<T, C> {
-    /// In powers: `orders.0` rows of `orders.1` coefficients a patch, the powers along `v` next to each other.
-    Powers { orders: (usize, usize), us: Vec<Local<T>>, vs: Vec<Local<T>>, coeffs: Vec<C> },
+    Powers(Patches<T, C>),
     /// Of high degree: as they are.
     Plain(TensorSpline<T, C>),
+}
+
+/// Patches in powers, row by row of them: `orders.0` rows of `orders.1` coefficients each, the powers along `v` next to each other.
+#[derive(Clone, Debug)]
+struct Patches<T, C> {
+    orders: (usize, usize),
+    u: SpanIndex<T>,
+    v: SpanIndex<T>,
+    us: Vec<Local<T>>,
+    vs: Vec<Local<T>>,
+    coeffs: Vec<C>,
 }
 
 impl<T: Scalar, C: Coeff<T>> TensorSpline<T, C> {
@@ -60,11 +66,11 @@ impl<T: Scalar, C: Coeff<T>> TensorSpline<T, C> {
     /// # Ok::<(), symspline::Error>(())
     /// ```
     pub fn evaluator(&self) -> Result<SurfaceEvaluator<T, C>> {
-        let (u, v) = (SpanIndex::new(self.u()), SpanIndex::new(self.v()));
         let (p, q) = (self.u().degree(), self.v().degree());
         if p + q > POWERS {
             return Ok(self.plain_evaluator());
         }
+        let (u, v) = (SpanIndex::new(self.u()), SpanIndex::new(self.v()));
         let (us, vs) = (Local::of_spans(u.breaks()), Local::of_spans(v.breaks()));
         let size = (p + 1) * (q + 1);
         check_dim(us.len().saturating_mul(vs.len()).saturating_mul(size))?;
@@ -82,67 +88,22 @@ impl<T: Scalar, C: Coeff<T>> TensorSpline<T, C> {
             }
         }
         check_finite(&coeffs)?;
-        Ok(SurfaceEvaluator { u, v, pieces: Pieces::Powers { orders: (p + 1, q + 1), us, vs, coeffs } })
+        Ok(SurfaceEvaluator(Pieces::Powers(Patches { orders: (p + 1, q + 1), u, v, us, vs, coeffs })))
     }
 
     /// The evaluator that keeps the surface as it is.
     pub(crate) fn plain_evaluator(&self) -> SurfaceEvaluator<T, C> {
-        let (u, v) = (SpanIndex::new(self.u()), SpanIndex::new(self.v()));
-        SurfaceEvaluator { u, v, pieces: Pieces::Plain(self.clone()) }
+        SurfaceEvaluator(Pieces::Plain(self.clone()))
     }
 }
 
-impl<T: Scalar, C: Coeff<T>> SurfaceEvaluator<T, C> {
-    /// The value on the patch of the spans `k` and `l`.
+impl<T: Scalar, C: Coeff<T>> Patches<T, C> {
+    /// The patch that holds `x`, and its spans.
     #[inline]
-    fn on_patch(&self, (k, l): (usize, usize), (u, v): &(T, T)) -> Result<C> {
-        match &self.pieces {
-            Pieces::Powers { orders, us, vs, coeffs } => {
-                let (s, t) = (us[k].parameter(u), vs[l].parameter(v));
-                let size = orders.0 * orders.1;
-                let patch = &coeffs[(k * vs.len() + l) * size..][..size];
-                Ok(unrolled(*orders, patch, |patch, order| patch_value(patch, order, &s, &t)))
-            }
-            Pieces::Plain(surface) => surface.at(u, v),
-        }
-    }
-
-    /// The derivatives on the patch of the spans `k` and `l`.
-    #[inline]
-    fn derivatives_on_patch<const COUNT: usize>(
-        &self,
-        (k, l): (usize, usize),
-        (u, v): &(T, T),
-    ) -> Result<[[C; COUNT]; COUNT]> {
-        match &self.pieces {
-            Pieces::Powers { orders, us, vs, coeffs } => {
-                let (s, t) = (us[k].parameter(u), vs[l].parameter(v));
-                let size = orders.0 * orders.1;
-                let patch = &coeffs[(k * vs.len() + l) * size..][..size];
-                Ok(unrolled(*orders, patch, |patch, order| {
-                    let row = |row: &[C]| -> [C; COUNT] { derivatives(row.iter(), &t, vs[l].slope()) };
-                    derivatives(patch.chunks_exact(order).map(row), &s, us[k].slope())
-                }))
-            }
-            Pieces::Plain(surface) => {
-                let all = surface.derivatives_at(u, v, COUNT.saturating_sub(1))?;
-                Ok(std::array::from_fn(|k| std::array::from_fn(|l| all[k][l].clone())))
-            }
-        }
-    }
-
-    /// Calls `take` with what `on_patch` makes of each parameter.
-    #[inline(always)]
-    fn walk<V>(
-        &self,
-        parameters: &[(T, T)],
-        on_patch: impl Fn((usize, usize), &(T, T)) -> Result<V>,
-        mut take: impl FnMut(V),
-    ) -> Result<()> {
-        parameters.iter().try_for_each(|x| {
-            take(on_patch((self.u.locate(&x.0)?, self.v.locate(&x.1)?), x)?);
-            Ok(())
-        })
+    fn find(&self, (u, v): &(T, T)) -> Result<(&[C], &Local<T>, &Local<T>)> {
+        let (k, l) = (self.u.locate(u)?, self.v.locate(v)?);
+        let size = self.orders.0 * self.orders.1;
+        Ok((&self.coeffs[(k * self.vs.len() + l) * size..][..size], &self.us[k], &self.vs[l]))
     }
 }
 
@@ -157,19 +118,6 @@ fn unrolled<C, R>(orders: (usize, usize), patch: &[C], f: impl Fn(&[C], usize) -
     }
 }
 
-/// The value of a patch whose rows have length `order`, by Horner's rule in both directions.
-#[inline(always)]
-fn patch_value<T: Scalar, C: Coeff<T>>(patch: &[C], order: usize, s: &T, t: &T) -> C {
-    let one = T::one();
-    let mut rows = patch.chunks_exact(order).rev().map(|row| value(row, t));
-    let last = rows.next().expect("a patch has a row");
-    rows.fold(last, |mut sum, row| {
-        sum.scale(s);
-        sum.add_scaled(&one, &row);
-        sum
-    })
-}
-
 impl<T: Scalar, C: Coeff<T>> Evaluate for SurfaceEvaluator<T, C> {
     type Parameter = (T, T);
     type Value = C;
@@ -177,23 +125,44 @@ impl<T: Scalar, C: Coeff<T>> Evaluate for SurfaceEvaluator<T, C> {
 
     #[inline]
     fn at(&self, x: &(T, T)) -> Result<C> {
-        self.on_patch((self.u.locate(&x.0)?, self.v.locate(&x.1)?), x)
+        let patches = match &self.0 {
+            Pieces::Powers(patches) => patches,
+            Pieces::Plain(surface) => return surface.at(&x.0, &x.1),
+        };
+        let (patch, along_u, along_v) = patches.find(x)?;
+        let (s, t) = (along_u.parameter(&x.0), along_v.parameter(&x.1));
+        Ok(unrolled(patches.orders, patch, |patch, order| {
+            let [value] = taylor(patch.chunks_exact(order).map(|row| value(row, &t)), &s);
+            value
+        }))
     }
 
     #[inline]
     fn derivatives_at<const COUNT: usize>(&self, x: &(T, T)) -> Result<[[C; COUNT]; COUNT]> {
-        self.derivatives_on_patch((self.u.locate(&x.0)?, self.v.locate(&x.1)?), x)
+        let patches = match &self.0 {
+            Pieces::Powers(patches) => patches,
+            Pieces::Plain(surface) => {
+                let all = surface.derivatives_at(&x.0, &x.1, COUNT.saturating_sub(1))?;
+                return Ok(std::array::from_fn(|k| std::array::from_fn(|l| all[k][l].clone())));
+            }
+        };
+        let (patch, along_u, along_v) = patches.find(x)?;
+        let (s, t) = (along_u.parameter(&x.0), along_v.parameter(&x.1));
+        Ok(unrolled(patches.orders, patch, |patch, order| {
+            let row = |row: &[C]| -> [C; COUNT] { derivatives(row.iter(), &t, along_v.slope()) };
+            derivatives(patch.chunks_exact(order).map(row), &s, along_u.slope())
+        }))
     }
 
-    fn for_each(&self, parameters: &[(T, T)], take: impl FnMut(C)) -> Result<()> {
-        self.walk(parameters, |patch, x| self.on_patch(patch, x), take)
+    fn for_each(&self, parameters: &[(T, T)], mut take: impl FnMut(C)) -> Result<()> {
+        parameters.iter().try_for_each(|x| self.at(x).map(&mut take))
     }
 
     fn for_each_derivatives<const COUNT: usize>(
         &self,
         parameters: &[(T, T)],
-        take: impl FnMut([[C; COUNT]; COUNT]),
+        mut take: impl FnMut([[C; COUNT]; COUNT]),
     ) -> Result<()> {
-        self.walk(parameters, |patch, x| self.derivatives_on_patch(patch, x), take)
+        parameters.iter().try_for_each(|x| self.derivatives_at(x).map(&mut take))
     }
 }

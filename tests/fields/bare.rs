@@ -1,10 +1,9 @@
 //! Exact numbers without the hooks: what the hooks of [`Q`] return is what they would return by default.
 
-use crate::signs::signs;
+use crate::signs::{signs, wrapped};
 use nalgebra::{DMatrix, SVector};
 use proptest::collection::vec;
 use proptest::prelude::*;
-use std::fmt;
 use symspline::{Coeff, Curve, Function, Q, Result, Scalar, Spline, SplineSpace, solve_dense};
 
 type Outcome = std::result::Result<(), TestCaseError>;
@@ -13,41 +12,13 @@ type Outcome = std::result::Result<(), TestCaseError>;
 #[derive(Clone, Debug, PartialEq, PartialOrd)]
 pub struct Bare(Q);
 
-impl Bare {
-    fn plus(&self, other: &Self) -> Self {
-        Self(&self.0 + &other.0)
-    }
-
-    fn minus(&self, other: &Self) -> Self {
-        Self(&self.0 - &other.0)
-    }
-
-    fn times(&self, other: &Self) -> Self {
-        Self(&self.0 * &other.0)
-    }
-
-    fn over(&self, other: &Self) -> Self {
-        Self(&self.0 / &other.0)
-    }
-
-    fn negative(&self) -> Self {
-        Self(-&self.0)
-    }
-}
-
-signs!(Bare);
+wrapped!(Bare);
 
 impl Scalar for Bare {
     const EXACT: bool = true;
 
     fn int(n: i64) -> Self {
         Self(Q::int(n))
-    }
-}
-
-impl fmt::Display for Bare {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.0.fmt(f)
     }
 }
 

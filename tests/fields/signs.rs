@@ -66,4 +66,39 @@ macro_rules! signs {
         }
     };
 }
-pub(crate) use signs;
+
+/// The same, and `Display`, for a tuple struct around another field.
+macro_rules! wrapped {
+    ($type:ty) => {
+        impl $type {
+            fn plus(&self, other: &Self) -> Self {
+                Self(&self.0 + &other.0)
+            }
+
+            fn minus(&self, other: &Self) -> Self {
+                Self(&self.0 - &other.0)
+            }
+
+            fn times(&self, other: &Self) -> Self {
+                Self(&self.0 * &other.0)
+            }
+
+            fn over(&self, other: &Self) -> Self {
+                Self(&self.0 / &other.0)
+            }
+
+            fn negative(&self) -> Self {
+                Self(-&self.0)
+            }
+        }
+
+        signs!($type);
+
+        impl std::fmt::Display for $type {
+            fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                self.0.fmt(f)
+            }
+        }
+    };
+}
+pub(crate) use {signs, wrapped};
