@@ -31,7 +31,12 @@ proptest! {
     #[test]
     fn sums_commute_and_associate([f, g, h] in three_functions(ANY)) {
         prop_assert_eq!(&f + &g, &g + &f);
-        prop_assert_eq!(&(&f + &g) + &h, &f + &(&g + &h));
+        let [one, other] = [&(&f + &g) + &h, &f + &(&g + &h)];
+        prop_assert!(one.same_function(&other)?);
+        // Knots outside the domain that differ may be the same after an elevation, and then they are kept.
+        if f.degree() == g.degree() && g.degree() == h.degree() {
+            prop_assert_eq!(one, other);
+        }
     }
 
     #[test]
