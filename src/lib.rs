@@ -66,7 +66,12 @@ pub mod fine_tune;
 #[cfg(feature = "plot")]
 pub mod plot;
 
+pub use analysis::analyse::Analyse;
+pub use analysis::certify::Certified;
 pub use analysis::curvature::Curved;
+pub use analysis::events::{Bounds, Event, EventKind};
+pub use analysis::profile::{CurvatureProfile, Run};
+pub use analysis::zeros::{Place, Zero};
 pub use bilinear::{BilinearMap, BilinearRow};
 pub use build::conics::{arc, arc_by_angles, circle, conic, ellipse, segment};
 pub use build::fit::Ends;

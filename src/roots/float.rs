@@ -40,16 +40,79 @@ impl Solvable for f64 {
     }
 }
 
-/// The float nearest to the one root of `polynomial` between `low` and `high`, which are no roots.
-fn isolated(polynomial: &Polynomial<Q>, (low, high): (&Q, &Q), near: f64) -> f64 {
-    let before = polynomial.sign_at(low);
-    nearest(near, |x, y| {
-        let x = (image(x) + image(y)) * Q::frac(1, 2);
-        if x <= *low || x >= *high {
-            return if x <= *low { Ordering::Less } else { Ordering::Greater };
-        }
-        side(polynomial.sign_at(&x), before)
+/// The roots of an exact polynomial as floats: each between neighbours if it is none.
+pub(crate) fn enclosed_roots(polynomial: &Polynomial<Q>) -> Roots<f64> {
+    each_root(polynomial, |factor, guessed, low, high| {
+        let (below, above) = float_neighbours(factor, guessed, (&low, &high));
+        if below == above { RootValue::Exact(below) } else { RootValue::Enclosed(below, above) }
     })
+}
+
+/// The roots of an exact polynomial, each exactly or about as close as floats enclose it.
+pub(crate) fn close_roots(polynomial: &Polynomial<Q>) -> Roots<Q> {
+    each_root(polynomial, |factor, guessed, low, high| {
+        if low == high {
+            return RootValue::Exact(low);
+        }
+        let value = Q::root(factor, low.clone(), high.clone());
+        if let RootValue::Exact(_) = value {
+            return value;
+        }
+        let (below, above) = float_neighbours(factor, guessed, (&low, &high));
+        RootValue::Enclosed(low.max(image(below)), high.min(image(above)))
+    })
+}
+
+/// The roots of an exact polynomial, each made by `value` from a factor that has it as a simple one, that factor rounded, and
+/// the ends of an isolating interval, which are equal where it is known.
+fn each_root<T>(
+    polynomial: &Polynomial<Q>,
+    value: impl Fn(&Polynomial<Q>, Option<&Polynomial<f64>>, Q, Q) -> RootValue<T>,
+) -> Roots<T> {
+    let Some(Isolation { factor, roots }) = isolation(polynomial) else { return Roots::Everywhere };
+    let guessed = if roots.iter().any(|(low, high, _)| low < high) { rounded(&factor) } else { None };
+    let root = |(low, high, multiplicity): (Q, Q, usize)| Root {
+        value: value(&factor, guessed.as_ref(), low, high),
+        multiplicity,
+    };
+    Roots::At(roots.into_iter().map(root).collect())
+}
+
+/// The neighbouring floats around the root of `factor` between `low` and `high`, or the float that it is, twice.
+fn float_neighbours(
+    factor: &Polynomial<Q>,
+    guessed: Option<&Polynomial<f64>>,
+    (low, high): (&Q, &Q),
+) -> (f64, f64) {
+    let near = match guessed {
+        Some(guessed) if low < high => guess(guessed, low.to_f64(), high.to_f64()),
+        _ => low.to_f64(),
+    };
+    neighbours(near, |x, _| match low == high {
+        true => image(x).cmp(low),
+        false => beside(factor, (low, high), &image(x)),
+    })
+}
+
+/// The polynomial with rounded coefficients, scaled.
+fn rounded(polynomial: &Polynomial<Q>) -> Option<Polynomial<f64>> {
+    let (a, b) = polynomial.domain();
+    let size = polynomial.coeffs().iter().map(Q::abs).max()?;
+    let c = polynomial.coeffs().iter().map(|c| (c.clone() / &size).to_f64()).collect();
+    Polynomial::new(a.to_f64(), b.to_f64(), c).ok()
+}
+
+/// The float nearest to the one root of `polynomial` between `low` and `high`, which are no roots.
+fn isolated(polynomial: &Polynomial<Q>, ends: (&Q, &Q), near: f64) -> f64 {
+    nearest(near, |x, y| beside(polynomial, ends, &((image(x) + image(y)) * Q::frac(1, 2))))
+}
+
+/// How `x` compares with the one root between `low` and `high`.
+fn beside(polynomial: &Polynomial<Q>, (low, high): (&Q, &Q), x: &Q) -> Ordering {
+    if x <= low || x >= high {
+        return if x <= low { Ordering::Less } else { Ordering::Greater };
+    }
+    side(polynomial.sign_at(x), polynomial.sign_at(low))
 }
 
 /// Near to where a polynomial changes its sign between `low` and `high`, by bisection with rounding.
@@ -107,13 +170,19 @@ fn exact(polynomial: &Polynomial<f64>) -> Polynomial<Q> {
 
 /// The float nearest to a root, found from `guess`; `side(x, y)` is how the mean of `x` and `y` compares with the root.
 fn nearest(guess: f64, side: impl Fn(f64, f64) -> Ordering) -> f64 {
+    let (x, y) = neighbours(guess, &side);
+    if x < y && side(x, y) == Ordering::Less { y } else { x }
+}
+
+/// The neighbouring floats between which a root is, or the root twice if it is a float.
+fn neighbours(guess: f64, side: impl Fn(f64, f64) -> Ordering) -> (f64, f64) {
     let most = rank(f64::MAX);
-    // The neighbours of the root, first away from the guess in growing steps, then by bisection.
+    // First away from the guess in growing steps, then by bisection.
     let (mut below, mut above) = (-most, most);
     let (mut at, mut stride) = (rank(guess), 1);
     while below + 1 < above {
         match side(float(at), float(at)) {
-            Ordering::Equal => return float(at),
+            Ordering::Equal => return (float(at), float(at)),
             Ordering::Less => below = at,
             Ordering::Greater => above = at,
         }
@@ -127,8 +196,7 @@ fn nearest(guess: f64, side: impl Fn(f64, f64) -> Ordering) -> f64 {
         }
         stride = stride.saturating_mul(2);
     }
-    let (x, y) = (float(below), float(above));
-    if side(x, y) == Ordering::Less { y } else { x }
+    (float(below), float(above))
 }
 
 /// The place of a finite float in the order of all of them, zero at 0.

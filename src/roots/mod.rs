@@ -13,7 +13,7 @@ mod square_free;
 mod isolate;
 mod rational;
 mod twofold;
-mod float;
+pub(crate) mod float;
 
 use crate::error::{Error, Result};
 use crate::scalar::Scalar;

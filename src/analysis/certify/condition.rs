@@ -1,0 +1,105 @@
+//! Scalar functions of a curve whose zeros say something about it, over whichever field the curve is.
+
+use crate::analysis::lifted::Lifted;
+use crate::analysis::pieces::Pieces;
+use crate::error::Result;
+use crate::scalar::Scalar;
+use crate::vector::dot;
+use nalgebra::SVector;
+
+/// A function of a curve, piece by piece a polynomial.
+#[derive(Clone, Debug)]
+pub struct Condition<T, const N: usize> {
+    pub(crate) curve: Lifted<T, N>,
+    pub(crate) what: What<T, N>,
+}
+
+/// Which function of the curve, up to a positive factor.
+#[derive(Clone, Debug)]
+pub(crate) enum What<T, const N: usize> {
+    /// The squared speed.
+    Speed,
+    /// In the plane the curvature, in space its square.
+    Bend,
+    /// The derivative of that.
+    Slope,
+    /// How far the curve is above the line or plane across `normal`, with `normal · x = offset` on it.
+    Above { normal: SVector<T, N>, offset: T },
+    /// The derivative of the distance from a point.
+    Foot { point: SVector<T, N> },
+}
+
+impl<T: Scalar, const N: usize> Condition<T, N> {
+    /// The function.
+    ///
+    /// # Errors
+    /// [`Error::TooLarge`](crate::Error::TooLarge), [`Error::DegreeTooHigh`](crate::Error::DegreeTooHigh).
+    pub(crate) fn function(&self) -> Result<Pieces<T>> {
+        let order = match &self.what {
+            What::Above { .. } => 0,
+            What::Speed | What::Foot { .. } => 1,
+            What::Bend => 2,
+            What::Slope => 3,
+        };
+        let motion = self.curve.motion(order)?;
+        match &self.what {
+            What::Speed => motion.speed(),
+            What::Bend if N < 3 => Ok(motion.bend()?.map(|across| across[2].clone())),
+            What::Bend => {
+                let bend = motion.bend()?;
+                bend.times(&bend, dot)
+            }
+            What::Slope if N < 3 => Ok(motion.slope()?.map(|across| across[2].clone())),
+            What::Slope => motion.bend()?.times(&motion.slope()?, dot),
+            What::Above { normal, offset } => {
+                let heights = motion.points().map(|point| dot(normal, point));
+                Ok(match motion.weights() {
+                    Some(weights) => heights.plus(-1, &weights.map(|weight| offset.clone() * weight)),
+                    None => heights.map(|height| height.clone() - offset),
+                })
+            }
+            What::Foot { point } => {
+                let away = match motion.weights() {
+                    Some(weights) => {
+                        motion.points().plus(-1, &weights.map(|weight| point.map(|x| x * weight)))
+                    }
+                    None => motion.points().map(|c| c - point),
+                };
+                away.times(&motion.direction()?, dot)
+            }
+        }
+    }
+
+    /// The same function of the same curve over another field.
+    ///
+    /// # Errors
+    /// The first one of `convert`; [`Error::NotFinite`](crate::Error::NotFinite).
+    pub(crate) fn over<U: Scalar>(
+        &self,
+        mut convert: impl FnMut(&T) -> Result<U>,
+    ) -> Result<Condition<U, N>> {
+        let mut vector = |x: &SVector<T, N>| -> Result<SVector<U, N>> {
+            let numbers = x.iter().map(&mut convert).collect::<Result<Vec<U>>>()?;
+            Ok(SVector::from_fn(|axis, _| numbers[axis].clone()))
+        };
+        let what = match &self.what {
+            What::Speed => What::Speed,
+            What::Bend => What::Bend,
+            What::Slope => What::Slope,
+            What::Foot { point } => What::Foot { point: vector(point)? },
+            What::Above { normal, offset } => {
+                let normal = vector(normal)?;
+                What::Above { normal, offset: convert(offset)? }
+            }
+        };
+        Ok(Condition { curve: self.curve.over(convert)?, what })
+    }
+
+    /// The same function on the span `k` of the curve alone.
+    ///
+    /// # Errors
+    /// None for a span that is not empty.
+    pub(crate) fn window(&self, k: usize) -> Result<Self> {
+        Ok(Self { curve: self.curve.window(k)?, what: self.what.clone() })
+    }
+}

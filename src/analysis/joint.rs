@@ -1,0 +1,106 @@
+//! How a curve goes on at a knot: position, direction and curvature from both sides, compared exactly.
+//!
+//! Near an end of a span the derivative has the direction of its outermost Bernstein coefficient that is not zero, so a
+//! curve that stands still at a knot has a direction there too.
+
+use crate::analysis::certify::sealed::Engine;
+use crate::analysis::lifted::{Across, Lifted, wedge};
+use crate::error::Result;
+use crate::exact::Q;
+use crate::vector::dot;
+use nalgebra::SVector;
+use num_traits::{One, Zero};
+use std::cmp::Ordering;
+
+/// How two spans meet.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Joint {
+    /// With one position, direction and value of the curvature.
+    Smooth,
+    /// The curvature jumps, up or down.
+    Jump(Ordering),
+    /// The curve stands still on one side at least, but goes on in its direction.
+    Still,
+    /// The direction turns back.
+    Back,
+    /// The direction turns by this angle.
+    Corner(f64),
+    /// The position jumps.
+    Gap,
+}
+
+/// What a curve is like at one end of a span.
+struct End<const N: usize> {
+    point: SVector<Q, N>,
+    weight: Q,
+    /// `D`, and the direction, which is that of `D` unless `D` vanishes there; none of a point.
+    velocity: SVector<Q, N>,
+    direction: Option<SVector<Q, N>>,
+    bend: Across<Q>,
+}
+
+/// How the spans `left` and `right` of a curve meet.
+///
+/// # Errors
+/// [`Error::TooLarge`](crate::Error::TooLarge).
+pub(crate) fn joint<T: Engine, const N: usize>(
+    curve: &Lifted<T, N>,
+    left: usize,
+    right: usize,
+) -> Result<Joint> {
+    let [before, after] = [end(curve, left, true)?, end(curve, right, false)?];
+    // Points are weighted.
+    if before.point.map(|x| x * &after.weight) != after.point.map(|x| x * &before.weight) {
+        return Ok(Joint::Gap);
+    }
+    let (Some(from), Some(to)) = (&before.direction, &after.direction) else { return Ok(Joint::Still) };
+    let (across, along) = (wedge(from, to), dot(from, to));
+    if !across.iter().all(Q::is_zero) {
+        return Ok(Joint::Corner(turn(from, to)));
+    }
+    if along.is_negative() {
+        return Ok(Joint::Back);
+    }
+    if [&before, &after].iter().any(|end| end.velocity.iter().all(Q::is_zero)) {
+        return Ok(Joint::Still);
+    }
+    let order = signed_square(&after).cmp(&signed_square(&before));
+    Ok(if order == Ordering::Equal { Joint::Smooth } else { Joint::Jump(order) })
+}
+
+/// The angle between two directions, from 0 to π.
+fn turn<const N: usize>(from: &SVector<Q, N>, to: &SVector<Q, N>) -> f64 {
+    let unit = |c: &SVector<Q, N>| {
+        let size = c.iter().map(Q::abs).max().filter(|size| !size.is_zero()).unwrap_or_else(Q::one);
+        c.map(|x| (x / &size).to_f64()).normalize()
+    };
+    let (from, to) = (unit(from), unit(to));
+    2.0 * (from - to).norm().atan2((from + to).norm())
+}
+
+fn end<T: Engine, const N: usize>(curve: &Lifted<T, N>, span: usize, is_last: bool) -> Result<End<N>> {
+    let motion = curve.window(span)?.over(T::exact)?.motion(2)?;
+    fn outermost<C: Clone>(coeffs: &[C], is_last: bool) -> C {
+        coeffs[if is_last { coeffs.len() - 1 } else { 0 }].clone()
+    }
+    let moves = motion.direction()?;
+    let mut inwards = moves.piece(0).to_vec();
+    if is_last {
+        inwards.reverse();
+    }
+    Ok(End {
+        point: outermost(motion.points().piece(0), is_last),
+        weight: motion.weights().map_or_else(Q::one, |weights| outermost(weights.piece(0), is_last)),
+        velocity: inwards[0].clone(),
+        direction: inwards.into_iter().find(|c| !c.iter().all(Q::is_zero)),
+        bend: outermost(motion.bend()?.piece(0), is_last),
+    })
+}
+
+/// The squared curvature, in the plane with the sign of the curvature.
+fn signed_square<const N: usize>(end: &End<N>) -> Q {
+    let weight = end.weight.clone() * &end.weight * &end.weight;
+    let speed = dot(&end.velocity, &end.velocity);
+    let square = dot(&end.bend, &end.bend) * &weight * &weight / (speed.clone() * &speed * &speed);
+    if N < 3 && end.bend[2].is_negative() { -square } else { square }
+}

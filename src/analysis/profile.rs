@@ -1,0 +1,339 @@
+//! Curvature profiles: where the curvature rises and falls, with all its events, proved.
+//!
+//! Three functions of the curve say it all: the squared speed (zero where the curve stands still), one with the sign of the
+//! curvature, and one with the sign of its slope. Their zeros are found with a proof; at knots, where the curve is
+//! less smooth than its derivatives ask for, both sides are compared exactly.
+
+use crate::analysis::ball::Ball;
+use crate::analysis::certify::condition::{Condition, What};
+use crate::analysis::certify::{Certified, Course};
+use crate::analysis::chain::{Mark, Marked, changes, marks};
+use crate::analysis::events::{Bounds, Event, EventKind};
+use crate::analysis::joint::{Joint, joint};
+use crate::analysis::lifted::{Lifted, Motion};
+use crate::analysis::zeros::{Place, joined};
+use crate::error::{Error, Result};
+use crate::roots::RootValue;
+use std::cmp::Ordering;
+use std::f64::consts::PI;
+
+/// How many samples a span has.
+const SAMPLES: usize = 24;
+
+/// A stretch on which the curvature rises, falls or stays as it is.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Run<T> {
+    /// Where it starts.
+    pub start: RootValue<T>,
+    /// Where it ends.
+    pub end: RootValue<T>,
+    /// `Greater` where the curvature rises, `Less` where it falls, `Equal` where it is constant.
+    pub trend: Ordering,
+}
+
+/// The curvature of a curve along its parameter: signed in the plane, not negative in space.
+///
+/// Events and runs are proved: there are no others, and none of them is due to rounding or sampling. Over `f64` that is said of the curve
+/// with just these numbers: where they have been rounded before, tiny jumps and corners are events too, to be told by their size.
+///
+/// # Examples
+/// ```
+/// use nalgebra::vector;
+/// use symspline::{Analyse, Curve, EventKind, SplineSpace};
+/// let points = vec![vector![0.0, 0.0], vector![1.0, 2.0], vector![2.0, -2.0], vector![3.0, 0.0]];
+/// let wave = Curve::new(SplineSpace::bezier(3, 0.0, 1.0)?, points)?.profile()?;
+/// let kinds: Vec<EventKind> = wave.events().iter().map(|event| event.kind).collect();
+/// assert_eq!(kinds, [EventKind::Minimum, EventKind::Inflection, EventKind::Maximum]);
+/// let (low, high) = wave.events()[1].place.bounds();
+/// assert!(*low <= 0.5 && 0.5 <= *high && high - low < 1e-12);
+/// # Ok::<(), symspline::Error>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct CurvatureProfile<T> {
+    domain: (T, T),
+    events: Vec<Event<T>>,
+    marks: Vec<Marked<T>>,
+    samples: Vec<[f64; 2]>,
+}
+
+impl<T: Certified> CurvatureProfile<T> {
+    /// Start and end of the domain.
+    pub fn domain(&self) -> (&T, &T) {
+        (&self.domain.0, &self.domain.1)
+    }
+
+    /// All events in the order of their places.
+    pub fn events(&self) -> &[Event<T>] {
+        &self.events
+    }
+
+    /// How many events of a kind there are.
+    pub fn count(&self, kind: EventKind) -> usize {
+        self.events.iter().filter(|event| event.kind == kind).count()
+    }
+
+    /// Parameters and curvatures to draw, ascending, a number for each span; at a knot there is one from each side. They are not
+    /// proved to anything; where the curvature is not finite there is none.
+    pub fn samples(&self) -> &[[f64; 2]] {
+        &self.samples
+    }
+
+    /// The stretches between events on which the curvature rises, falls or stays, in order, parted by jumps and by places
+    /// where it is not defined.
+    ///
+    /// # Examples
+    /// ```
+    /// use nalgebra::vector;
+    /// use std::cmp::Ordering;
+    /// use symspline::{Analyse, Curve, SplineSpace};
+    /// let points = vec![vector![-1.0, 1.0], vector![0.0, -1.0], vector![1.0, 1.0]];
+    /// let parabola = Curve::new(SplineSpace::bezier(2, -1.0, 1.0)?, points)?.profile()?;
+    /// let trends: Vec<Ordering> = parabola.runs().iter().map(|run| run.trend).collect();
+    /// assert_eq!(trends, [Ordering::Greater, Ordering::Less]);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    pub fn runs(&self) -> Vec<Run<T>> {
+        let mut runs: Vec<Run<T>> = Vec::new();
+        let last = RootValue::Exact(self.domain.1.clone());
+        for (i, marked) in self.marks.iter().enumerate() {
+            let Some(trend) = marked.after else { break };
+            let end = self.marks.get(i + 1).map_or(&last, |next| &next.value).clone();
+            match runs.last_mut() {
+                Some(run) if run.trend == trend && marked.mark == Mark::Turn => run.end = end,
+                _ => runs.push(Run { start: marked.value.clone(), end, trend }),
+            }
+        }
+        runs
+    }
+
+    /// The trend of the curvature all over `[a, b]`: `Greater` if it is proved never to fall there and `Less` if never to rise, jumps
+    /// included, `Equal` if it is constant; `None` if it has an extremum inside or is not defined somewhere.
+    ///
+    /// The proof is by the signs of the slope. Where an end is inside the enclosure of an extremum, there is none.
+    ///
+    /// # Errors
+    /// [`Error::OutsideDomain`], [`Error::EmptyDomain`] unless `a < b`.
+    ///
+    /// # Examples
+    /// ```
+    /// use nalgebra::vector;
+    /// use std::cmp::Ordering;
+    /// use symspline::{Analyse, Curve, SplineSpace};
+    /// let points = vec![vector![-1.0, 1.0], vector![0.0, -1.0], vector![1.0, 1.0]];
+    /// let parabola = Curve::new(SplineSpace::bezier(2, -1.0, 1.0)?, points)?.profile()?;
+    /// assert_eq!(parabola.trend_on(&-1.0, &-0.001)?, Some(Ordering::Greater));
+    /// assert_eq!(parabola.trend_on(&-1.0, &0.5)?, None);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    pub fn trend_on(&self, a: &T, b: &T) -> Result<Option<Ordering>> {
+        let (start, end) = self.domain();
+        if let Some(x) = [a, b].into_iter().find(|x| !(*x >= start && *x <= end)) {
+            let [parameter, start, end] = [x, start, end].map(T::to_string);
+            return Err(Error::OutsideDomain { parameter, start, end });
+        }
+        if a >= b {
+            return Err(Error::EmptyDomain { start: a.to_string(), end: b.to_string() });
+        }
+        let inside = |value: &RootValue<T>| value.bounds().1 > a && value.bounds().0 < b;
+        let steps = self.marks.iter().filter(|marked| inside(&marked.value));
+        let mut trends = Vec::new();
+        for marked in steps {
+            match marked.mark {
+                Mark::Turn => {}
+                Mark::Step(sign) => trends.push(sign),
+                Mark::Cut => return Ok(None),
+            }
+        }
+        let meets = |run: &Run<T>| run.end.bounds().1 > a && run.start.bounds().0 < b;
+        trends.extend(self.runs().iter().filter(|run| meets(run)).map(|run| run.trend));
+        trends.retain(|trend| *trend != Ordering::Equal);
+        let first = trends.first().copied();
+        Ok(match first {
+            None => Some(Ordering::Equal),
+            Some(first) => trends.iter().all(|trend| *trend == first).then_some(first),
+        })
+    }
+
+    /// Where the sequences of events of two profiles first differ in kind, as an index of either; `None` if they are the
+    /// same.
+    ///
+    /// # Examples
+    /// ```
+    /// use nalgebra::vector;
+    /// use symspline::{Analyse, circle, ellipse};
+    /// let centre = vector![0.0, 0.0];
+    /// let [long, short] = [3.0, 2.0].map(|x| ellipse(&centre, &vector![x, 0.0], &vector![0.0, 1.0]));
+    /// assert_eq!(long?.profile()?.differs_at(&short?.profile()?), None);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    pub fn differs_at<U>(&self, other: &CurvatureProfile<U>) -> Option<usize> {
+        let differs = |i: &usize| {
+            self.events.get(*i).map(|event| event.kind) != other.events.get(*i).map(|event| event.kind)
+        };
+        (0..self.events.len().max(other.events.len())).find(differs)
+    }
+}
+
+/// The profile of a curve.
+///
+/// # Errors
+/// [`Error::TooLarge`], [`Error::DegreeTooHigh`].
+pub(crate) fn profile<T: Certified, const N: usize>(curve: Lifted<T, N>) -> Result<CurvatureProfile<T>> {
+    let (space, domain) = (curve.space().clone(), curve.space().domain());
+    let (ends, domain) = (space.ends(), (domain.0.clone(), domain.1.clone()));
+    let condition = |what| Condition { curve: curve.clone(), what };
+    let [speed, bend, slope] =
+        [What::Speed, What::Bend, What::Slope].map(|what| T::courses(&condition(what)));
+    let (speed, bend, slope) = (speed?, bend?, slope?);
+    let joints = joints(&curve, &speed)?;
+    // A curve that ends where it starts is closed, whatever its space.
+    let closed = !matches!(joints[0], Some(Joint::Gap));
+    let stands =
+        |i: usize, value: &RootValue<T>| speed[i].inside.iter().any(|(still, _)| overlap(still, value));
+    let cut =
+        |i: usize| joints[i].as_ref().is_some_and(|joint| !matches!(joint, Joint::Smooth | Joint::Jump(_)));
+    let marks_of =
+        |courses: &[Course<T>], mark: &dyn Fn(usize) -> Mark| marks(&ends, courses, closed, mark, stands);
+    let rises = marks_of(&slope, &|i| match &joints[i] {
+        _ if cut(i) => Mark::Cut,
+        Some(Joint::Jump(up)) => Mark::Step(*up),
+        _ => Mark::Turn,
+    });
+    let balls =
+        Measure { motion: curve.over(|x| Ok(x.ball())).and_then(|curve| curve.motion(2)).ok(), ends: &ends };
+    let event = |kind, place: Place<T>| {
+        let curvature = balls.around(&place, closed);
+        Event { kind, place, curvature, turn: if kind == EventKind::Cusp { PI } else { 0.0 } }
+    };
+    let mut events = Vec::new();
+    let bends: Vec<Place<T>> = if N < 3 {
+        let signs = marks_of(&bend, &|i| if cut(i) { Mark::Cut } else { Mark::Turn });
+        changes(&signs, closed).into_iter().map(|change| change.place).collect()
+    } else {
+        let vanishes = joined(&ends, bend, closed).into_iter().map(|zero| zero.place);
+        let still = joined(&ends, speed.clone(), closed);
+        vanishes.filter(|place| !still.iter().any(|zero| meet(&zero.place, place))).collect()
+    };
+    for change in changes(&rises, closed) {
+        let kind = if change.to == Ordering::Less { EventKind::Maximum } else { EventKind::Minimum };
+        let hidden = N >= 3 && bends.iter().any(|place| meet(place, &change.place));
+        events.extend((!hidden).then(|| event(kind, change.place)));
+    }
+    events.extend(bends.into_iter().map(|place| event(EventKind::Inflection, place)));
+    for zero in joined(&ends, speed.clone(), closed) {
+        // At knots the joints say more.
+        let says = |joint: &Option<Joint>| joint.as_ref().is_some_and(|joint| *joint != Joint::Gap);
+        let is_joint = |(t, joint): (&T, &Option<Joint>)| says(joint) && zero.place.bounds() == (t, t);
+        if ends.iter().zip(&joints).any(is_joint) {
+            continue;
+        }
+        let turns_back = zero.multiplicity % 4 == 2 && zero.before.is_some() && zero.after.is_some();
+        let kind = if turns_back { EventKind::Cusp } else { EventKind::Stationary };
+        events.push(event(kind, zero.place));
+    }
+    let stays = |i: usize| {
+        let left = i.checked_sub(1).unwrap_or(speed.len() - 1);
+        speed[left].signs[1] == Ordering::Equal && speed[i].signs[0] == Ordering::Equal
+    };
+    for (i, (t, joint)) in ends.iter().zip(&joints).enumerate() {
+        let (kind, turn) = match joint {
+            None | Some(Joint::Smooth) => continue,
+            Some(Joint::Jump(_)) => (EventKind::Jump, 0.0),
+            // Said of the whole stretch already.
+            Some(Joint::Still) if stays(i) => continue,
+            Some(Joint::Still) => (EventKind::Stationary, 0.0),
+            Some(Joint::Back) => (EventKind::Cusp, PI),
+            Some(Joint::Corner(turn)) => (EventKind::Corner, *turn),
+            Some(Joint::Gap) if i == 0 && !space.is_periodic() => continue,
+            Some(Joint::Gap) => (EventKind::Gap, 0.0),
+        };
+        events.push(Event { turn, ..event(kind, Place::At(RootValue::Exact(t.clone()))) });
+    }
+    let order = |one: &T, other: &T| one.partial_cmp(other).expect("parameters are ordered");
+    events.sort_by(|one, other| order(one.place.bounds().0, other.place.bounds().0));
+    Ok(CurvatureProfile { domain, events, marks: rises, samples: balls.samples() })
+}
+
+/// How the curve goes on at each end of a span, where it may be less than smooth; at the start from the end of the domain.
+fn joints<T: Certified, const N: usize>(
+    curve: &Lifted<T, N>,
+    speed: &[Course<T>],
+) -> Result<Vec<Option<Joint>>> {
+    let space = curve.space();
+    let (spans, breaks): (Vec<usize>, _) = (space.spans().collect(), space.breaks());
+    let count = spans.len();
+    let at = |i: usize| -> Result<Option<Joint>> {
+        let left = i.checked_sub(1).unwrap_or(count - 1);
+        if i == count {
+            return Ok(None);
+        }
+        let stands = speed[left].at_ends[1] > 0 || speed[i].at_ends[0] > 0;
+        let is_ring = i > 0 || space.is_periodic();
+        if is_ring && space.degree() >= breaks[i].1 + 2 && !stands {
+            return Ok(None);
+        }
+        joint(curve, spans[left], spans[i]).map(Some)
+    };
+    (0..=count).map(at).collect()
+}
+
+fn overlap<T: PartialOrd>(one: &RootValue<T>, other: &RootValue<T>) -> bool {
+    let ((a, b), (c, d)) = (one.bounds(), other.bounds());
+    a <= d && c <= b
+}
+
+fn meet<T: PartialOrd>(one: &Place<T>, other: &Place<T>) -> bool {
+    let ((a, b), (c, d)) = (one.bounds(), other.bounds());
+    a <= d && c <= b
+}
+
+/// Curvatures with bounds.
+struct Measure<'a, T, const N: usize> {
+    motion: Option<Motion<Ball, N>>,
+    ends: &'a [T],
+}
+
+impl<T: Certified, const N: usize> Measure<'_, T, N> {
+    /// The curvature before and after a place, or inside an interval at its start and end.
+    fn around(&self, place: &Place<T>, closed: bool) -> [Bounds; 2] {
+        let count = self.ends.len() - 1;
+        let (low, high) = place.bounds();
+        // The span right of a parameter, and the one left of it.
+        let right = |x: &T| (self.ends.partition_point(|t| t <= x) - 1).min(count - 1);
+        let left = |x: &T| match self.ends.partition_point(|t| t < x) {
+            0 if closed => count - 1,
+            i => i.saturating_sub(1),
+        };
+        match place {
+            Place::Along(..) => [self.on(right(low), low, low), self.on(left(high), high, high)],
+            Place::At(RootValue::Exact(x)) => {
+                let before = left(x);
+                let x_before = if closed && *x == self.ends[0] { &self.ends[count] } else { x };
+                [self.on(before, x_before, x_before), self.on(right(x), x, x)]
+            }
+            Place::At(RootValue::Enclosed(..)) => [self.on(right(low), low, high); 2],
+        }
+    }
+
+    /// The curvature of the curve of span `i` between two parameters.
+    fn on(&self, i: usize, low: &T, high: &T) -> Bounds {
+        let x = Ball::between(low.ball().bounds().0, high.ball().bounds().1);
+        let (low, high) =
+            self.motion.as_ref().map_or(Ball::UNKNOWN, |motion| motion.curvature(i, &x)).bounds();
+        Bounds { low, high }
+    }
+
+    fn samples(&self) -> Vec<[f64; 2]> {
+        let Some(motion) = &self.motion else { return Vec::new() };
+        let mut samples = Vec::new();
+        for (i, ends) in self.ends.windows(2).enumerate() {
+            let [a, b] = [&ends[0], &ends[1]].map(|x| x.ball().middle());
+            samples.extend((0..=SAMPLES).filter_map(|j| {
+                let x = if j == SAMPLES { b } else { a + (b - a) * (j as f64 / SAMPLES as f64) };
+                let curvature = motion.curvature(i, &Ball::exact(x)).middle();
+                curvature.is_finite().then_some([x, curvature])
+            }));
+        }
+        samples
+    }
+}
