@@ -79,7 +79,7 @@ fn turn<const N: usize>(from: &SVector<Q, N>, to: &SVector<Q, N>) -> f64 {
 }
 
 fn end<T: Engine, const N: usize>(curve: &Lifted<T, N>, span: usize, is_last: bool) -> Result<End<N>> {
-    let motion = curve.window(span)?.over(T::exact)?.motion(2)?;
+    let motion = curve.window(span, T::exact)?.motion(2)?;
     fn outermost<C: Clone>(coeffs: &[C], is_last: bool) -> C {
         coeffs[if is_last { coeffs.len() - 1 } else { 0 }].clone()
     }

@@ -56,13 +56,17 @@ impl<T: Scalar, const N: usize> Lifted<T, N> {
         Ok(Lifted { points: self.points.map_scalars(convert)?, weights })
     }
 
-    /// What is on the span `k` alone.
+    /// What is on the span `k` alone, over another field.
     ///
     /// # Errors
-    /// None for a span that is not empty.
-    pub(crate) fn window(&self, k: usize) -> Result<Self> {
-        let weights = self.weights.as_ref().map(|weights| window(weights, k)).transpose()?;
-        Ok(Self { points: window(&self.points, k)?, weights })
+    /// As [`over`](Self::over).
+    pub(crate) fn window<U: Scalar>(
+        &self,
+        k: usize,
+        mut convert: impl FnMut(&T) -> Result<U>,
+    ) -> Result<Lifted<U, N>> {
+        let weights = self.weights.as_ref().map(|weights| window(weights, k, &mut convert)).transpose()?;
+        Ok(Lifted { points: window(&self.points, k, convert)?, weights })
     }
 
     /// Points and weights between the knots, of degree `order` at least: the order of the highest derivative that is used.
@@ -76,11 +80,29 @@ impl<T: Scalar, const N: usize> Lifted<T, N> {
     }
 }
 
-/// The spline on its span `k` alone, with the knots and coefficients that count there.
-fn window<T: Scalar, C: Coeff<T>>(spline: &Spline<T, C>, k: usize) -> Result<Spline<T, C>> {
-    let p = spline.degree();
-    let knots = spline.space().knots()[k - p..=k + p + 1].iter().cloned();
-    Spline::new(SplineSpace::new(p, knots)?, (k - p..=k).map(|i| spline.coeff(i).clone()).collect())
+/// The spline on its span `k` alone, with the knots and coefficients that count there, over another field.
+fn window<T: Scalar, U: Scalar, C: Coeff<T>>(
+    spline: &Spline<T, C>,
+    k: usize,
+    mut convert: impl FnMut(&T) -> Result<U>,
+) -> Result<Spline<U, C::Over<U>>> {
+    let (p, space) = (spline.degree(), spline.space());
+    let (a, b) = space.domain();
+    let period = convert(b)? - convert(a)?;
+    // The knots of a ring beyond one period are made of those within, which are not rounded.
+    let round = space.round_knots();
+    let first = space.last_span() + 1 - round.len();
+    let mut knot = |i: usize| -> Result<U> {
+        if !space.is_periodic() {
+            return convert(&space.knots()[i]);
+        }
+        let steps = i as i64 - first as i64;
+        let (turns, i) = (steps.div_euclid(round.len() as i64), steps.rem_euclid(round.len() as i64));
+        Ok(convert(&round[i as usize])? + U::int(turns) * &period)
+    };
+    let knots = (k - p..=k + p + 1).map(&mut knot).collect::<Result<Vec<U>>>()?;
+    let coeffs = (k - p..=k).map(|i| spline.coeff(i).try_map(&mut convert)).collect::<Result<_>>()?;
+    Spline::new(SplineSpace::new(p, knots)?, coeffs)
 }
 
 /// The pieces of a spline and of its first three derivatives, of degree `order` at least.

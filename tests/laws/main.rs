@@ -32,6 +32,7 @@ mod join;
 mod reverse;
 mod reparam;
 mod roots;
+mod zeros;
 mod composition;
 mod on_surface;
 mod range;

@@ -2,6 +2,7 @@
 
 use crate::analysis::lifted::Lifted;
 use crate::analysis::pieces::Pieces;
+use crate::coeff::Coeff;
 use crate::error::Result;
 use crate::scalar::Scalar;
 use crate::vector::dot;
@@ -78,28 +79,33 @@ impl<T: Scalar, const N: usize> Condition<T, N> {
         &self,
         mut convert: impl FnMut(&T) -> Result<U>,
     ) -> Result<Condition<U, N>> {
-        let mut vector = |x: &SVector<T, N>| -> Result<SVector<U, N>> {
-            let numbers = x.iter().map(&mut convert).collect::<Result<Vec<U>>>()?;
-            Ok(SVector::from_fn(|axis, _| numbers[axis].clone()))
-        };
-        let what = match &self.what {
-            What::Speed => What::Speed,
-            What::Bend => What::Bend,
-            What::Slope => What::Slope,
-            What::Foot { point } => What::Foot { point: vector(point)? },
-            What::Above { normal, offset } => {
-                let normal = vector(normal)?;
-                What::Above { normal, offset: convert(offset)? }
-            }
-        };
-        Ok(Condition { curve: self.curve.over(convert)?, what })
+        Ok(Condition { curve: self.curve.over(&mut convert)?, what: self.what.over(convert)? })
     }
 
-    /// The same function on the span `k` of the curve alone.
+    /// The same on the span `k` of the curve alone.
     ///
     /// # Errors
-    /// None for a span that is not empty.
-    pub(crate) fn window(&self, k: usize) -> Result<Self> {
-        Ok(Self { curve: self.curve.window(k)?, what: self.what.clone() })
+    /// As [`over`](Self::over).
+    pub(crate) fn window<U: Scalar>(
+        &self,
+        k: usize,
+        mut convert: impl FnMut(&T) -> Result<U>,
+    ) -> Result<Condition<U, N>> {
+        Ok(Condition { curve: self.curve.window(k, &mut convert)?, what: self.what.over(convert)? })
+    }
+}
+
+impl<T: Scalar, const N: usize> What<T, N> {
+    fn over<U: Scalar>(&self, mut convert: impl FnMut(&T) -> Result<U>) -> Result<What<U, N>> {
+        let mut vector = |x: &SVector<T, N>| x.try_map(&mut convert);
+        Ok(match self {
+            Self::Speed => What::Speed,
+            Self::Bend => What::Bend,
+            Self::Slope => What::Slope,
+            Self::Foot { point } => What::Foot { point: vector(point)? },
+            Self::Above { normal, offset } => {
+                What::Above { normal: vector(normal)?, offset: convert(offset)? }
+            }
+        })
     }
 }

@@ -36,7 +36,7 @@ impl sealed::Engine for f64 {
 
 /// The course of a function on the span `k`, by exact numbers.
 fn exactly<const N: usize>(condition: &Condition<f64, N>, k: usize) -> Result<Course<f64>> {
-    let function = condition.window(k)?.over(|x| Q::try_from(*x))?.function()?;
+    let function = condition.window(k, |x| Q::try_from(*x))?.function()?;
     Ok(course(&function.polynomial(0)?, enclosed_roots))
 }
 
