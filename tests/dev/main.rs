@@ -5,3 +5,5 @@ mod strategies;
 mod rational_strategies;
 #[path = "../laws/zeros.rs"]
 mod zeros;
+#[path = "../laws/profile.rs"]
+mod profile;

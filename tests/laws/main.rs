@@ -40,6 +40,7 @@ mod dual;
 mod fit;
 mod least_squares;
 mod curvature;
+mod profile;
 mod fine_tune;
 mod hold;
 mod surface;
