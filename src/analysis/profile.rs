@@ -249,8 +249,9 @@ pub(crate) fn profile<T: Certified, const N: usize>(curve: Lifted<T, N>) -> Resu
         };
         events.push(Event { turn, ..event(kind, Place::At(RootValue::Exact(t.clone()))) });
     }
-    let order = |one: &T, other: &T| one.partial_cmp(other).expect("parameters are ordered");
-    events.sort_by(|one, other| order(one.place.bounds().0, other.place.bounds().0));
+    events.sort_by(|one, other| {
+        one.place.bounds().partial_cmp(&other.place.bounds()).expect("parameters are ordered")
+    });
     Ok(CurvatureProfile { domain, events, marks: rises, samples: balls.samples() })
 }
 

@@ -125,13 +125,20 @@ proptest! {
             let d = c.derivatives_at(&x, 2)?;
             let Some(square) = signed_square(&d[1], &d[2]) else { continue };
             let sign = square.cmp(&Q::int(0));
-            if sign == Ordering::Equal {
+            // Nothing is said within an enclosure.
+            let within = |event: &&symspline::Event<Q>| {
+                let (low, high) = event.place.bounds();
+                matches!(event.place, Place::At(_)) && *low < x && x < *high
+            };
+            if sign == Ordering::Equal || events.iter().any(|event| within(event)) {
                 continue;
             }
             if let Some((y, before)) = last.replace((x.clone(), sign)) {
                 let between = |event: &&&symspline::Event<Q>| {
                     let (low, high) = event.place.bounds();
-                    *low <= x && y < *high
+                    // What is enclosed is strictly inside.
+                    let enclosed = matches!(event.place, Place::At(RootValue::Enclosed(..)));
+                    (*low < x || !enclosed && *low == x) && y < *high
                 };
                 let cut = |kind| kind != EventKind::Inflection;
                 let inside: Vec<EventKind> = events.iter().filter(between).map(|event| event.kind).collect();
@@ -201,17 +208,20 @@ proptest! {
     fn floats_have_the_profiles_of_their_exact_images(c in curve::<2>(SMALL)) {
         let Ok(rounded) = c.to_f64() else { return Ok(()) };
         let (found, expected) = (rounded.profile()?, rounded.to_exact()?.profile()?);
-        prop_assert_eq!(kinds(&found), kinds(&expected));
-        for (event, exact) in found.events().iter().zip(expected.events()) {
-            let ((low, high), (least, most)) = (event.place.bounds(), exact.place.bounds());
-            prop_assert!(Q::try_from(*low)? <= *most && *least <= Q::try_from(*high)?);
-            prop_assert_eq!(event.turn, exact.turn);
+        prop_assert_eq!(found.events().len(), expected.events().len());
+        // Different events within one rounding may change places.
+        for kind in kinds(&found) {
+            let (found, expected) = (found.events().iter(), expected.events().iter());
+            let (mut found, mut expected) = (found.filter(|e| e.kind == kind), expected.filter(|e| e.kind == kind));
+            while let Some(event) = found.next() {
+                let exact = expected.next().expect("as many events of a kind");
+                let ((low, high), (least, most)) = (event.place.bounds(), exact.place.bounds());
+                prop_assert!(Q::try_from(*low)? <= *most && *least <= Q::try_from(*high)?);
+                prop_assert_eq!(event.turn, exact.turn);
+            }
         }
-        let trends = |trends: Vec<Ordering>| trends;
-        prop_assert_eq!(
-            trends(found.runs().iter().map(|run| run.trend).collect()),
-            trends(expected.runs().iter().map(|run| run.trend).collect())
-        );
+        let trends: Vec<Ordering> = found.runs().iter().map(|run| run.trend).collect();
+        prop_assert_eq!(trends, expected.runs().iter().map(|run| run.trend).collect::<Vec<_>>());
     }
 
     #[test]
