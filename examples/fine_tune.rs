@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 use symspline::plot::{Color, Figure, Marker, Panel, Style, curve_path, graph_path};
-use symspline::{Curve, Ends, Function, Hold, SplineSpace, chord_length};
+use symspline::{Analyse, Curve, Ends, Function, Hold, SplineSpace, chord_length};
 
 /// Fine-tune a plane curve: scale its derivative by a function, and so its curvature by the inverse.
 #[derive(Parser)]

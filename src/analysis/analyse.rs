@@ -2,13 +2,15 @@
 
 use crate::analysis::certify::Certified;
 use crate::analysis::certify::condition::{Condition, What};
+use crate::analysis::curvature::{Curved, tooth};
 use crate::analysis::lifted::Lifted;
 use crate::analysis::pieces::Pieces;
 use crate::analysis::profile::{self, CurvatureProfile};
 use crate::analysis::zeros::{Zero, zeros};
+use crate::coeff::Coeff;
 use crate::error::{Error, Result};
 use crate::rational::spline::{NurbsCurve, RationalFunction};
-use crate::scalar::Scalar;
+use crate::scalar::{Real, Scalar};
 use crate::spline::{Curve, Function};
 use crate::vector::{Crossed, dot};
 use nalgebra::SVector;
@@ -23,6 +25,12 @@ pub(crate) mod sealed {
         /// # Errors
         /// None for a valid curve.
         fn to_lifted(&self) -> Result<Lifted<T, N>>;
+
+        /// Value and derivatives at `x`, from the right.
+        ///
+        /// # Errors
+        /// [`Error::OutsideDomain`].
+        fn derivatives(&self, x: &T, order: usize) -> Result<Vec<SVector<T, N>>>;
     }
 }
 
@@ -30,11 +38,19 @@ impl<T: Scalar, const N: usize> sealed::Liftable<T, N> for Curve<T, N> {
     fn to_lifted(&self) -> Result<Lifted<T, N>> {
         Ok(Lifted::polynomial(self))
     }
+
+    fn derivatives(&self, x: &T, order: usize) -> Result<Vec<SVector<T, N>>> {
+        self.derivatives_at(x, order)
+    }
 }
 
 impl<T: Scalar, const N: usize> sealed::Liftable<T, N> for NurbsCurve<T, N> {
     fn to_lifted(&self) -> Result<Lifted<T, N>> {
         Lifted::rational(self)
+    }
+
+    fn derivatives(&self, x: &T, order: usize) -> Result<Vec<SVector<T, N>>> {
+        self.derivatives_at(x, order)
     }
 }
 
@@ -56,6 +72,90 @@ impl<T: Scalar, const N: usize, L: sealed::Liftable<T, N>> Analyse<T, N> for L {
 /// # Ok::<(), symspline::Error>(())
 /// ```
 pub trait Analyse<T: Scalar, const N: usize>: sealed::Liftable<T, N> {
+    /// The curvature at `x`, from the right: signed in the plane (positive where the curve turns left), not negative in
+    /// space.
+    ///
+    /// # Errors
+    /// [`Error::OutsideDomain`]; [`Error::Stationary`] where the derivative vanishes; [`Error::NotFinite`] where the
+    /// curvature overflows.
+    ///
+    /// # Examples
+    /// ```
+    /// use nalgebra::vector;
+    /// use symspline::{Analyse, Curve, SplineSpace};
+    /// let points = vec![vector![-1.0, 1.0], vector![0.0, -1.0], vector![1.0, 1.0]];
+    /// let parabola = Curve::new(SplineSpace::bezier(2, -1.0, 1.0)?, points)?; // y = x²
+    /// assert_eq!(parabola.curvature_at(&0.0)?, 2.0);
+    /// assert_eq!(parabola.reversed()?.curvature_at(&0.0)?, -2.0);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    fn curvature_at(&self, x: &T) -> Result<T>
+    where
+        T: Real,
+        SVector<T, N>: Curved<T>,
+    {
+        let derivatives = self.derivatives(x, 2)?;
+        match Curved::curvature(&derivatives[1], &derivatives[2]) {
+            Some(curvature) if curvature.is_finite() => Ok(curvature),
+            Some(_) => Err(Error::NotFinite { what: "curvature", index: 0 }),
+            None => Err(Error::Stationary { parameter: x.to_string() }),
+        }
+    }
+
+    /// The curvatures at `parameters`.
+    ///
+    /// # Errors
+    /// As [`curvature_at`](Self::curvature_at).
+    ///
+    /// # Examples
+    /// ```
+    /// use nalgebra::vector;
+    /// use symspline::{Analyse, Curve, SplineSpace};
+    /// let points = vec![vector![-1.0, 1.0], vector![0.0, -1.0], vector![1.0, 1.0]];
+    /// let parabola = Curve::new(SplineSpace::bezier(2, -1.0, 1.0)?, points)?;
+    /// let profile = parabola.curvature_profile(&[-1.0, 0.0, 1.0])?;
+    /// assert!(profile[1] == 2.0 && profile[0] == profile[2] && profile[0] < 0.2);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    fn curvature_profile(&self, parameters: &[T]) -> Result<Vec<T>>
+    where
+        T: Real,
+        SVector<T, N>: Curved<T>,
+    {
+        parameters.iter().map(|x| self.curvature_at(x)).collect()
+    }
+
+    /// The curvature comb: at each parameter the point of the curve and the tip of its tooth, which stands
+    /// `scale * |κ|` off on the outer side. See [`CurvatureProfile::comb_scale`] for a scale.
+    ///
+    /// # Errors
+    /// As [`curvature_at`](Self::curvature_at).
+    ///
+    /// # Examples
+    /// ```
+    /// use nalgebra::vector;
+    /// use symspline::{Analyse, Curve, SplineSpace};
+    /// let points = vec![vector![-1.0, 1.0], vector![0.0, -1.0], vector![1.0, 1.0]];
+    /// let parabola = Curve::new(SplineSpace::bezier(2, -1.0, 1.0)?, points)?;
+    /// assert_eq!(parabola.curvature_comb(&[0.0], &0.5)?, [(vector![0.0, 0.0], vector![0.0, -1.0])]);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    fn curvature_comb(&self, parameters: &[T], scale: &T) -> Result<Vec<(SVector<T, N>, SVector<T, N>)>>
+    where
+        T: Real,
+    {
+        let pair = |x: &T| {
+            let derivatives = self.derivatives(x, 2)?;
+            let tip =
+                tooth(&derivatives, scale).ok_or_else(|| Error::Stationary { parameter: x.to_string() })?;
+            if !tip.all_finite() {
+                return Err(Error::NotFinite { what: "tooth", index: 0 });
+            }
+            Ok((derivatives[0].clone(), tip))
+        };
+        parameters.iter().map(pair).collect()
+    }
+
     /// The squared speed, `|C'|²`.
     ///
     /// # Errors
@@ -183,7 +283,36 @@ pub trait Analyse<T: Scalar, const N: usize>: sealed::Liftable<T, N> {
         T: Certified,
         SVector<T, N>: Crossed<T>,
     {
-        profile::profile(self.to_lifted()?)
+        profile::profile(self.to_lifted()?, 0.0)
+    }
+
+    /// The profile of a curve that is meant to be smooth: corners that turn by no more than the angle `tolerance`, and jumps of the
+    /// curvature by no more than that part of it, are passed over. Everything between knots is proved as before.
+    ///
+    /// # Errors
+    /// [`Error::BadTolerance`] unless `tolerance` is finite and not negative; and those of [`profile`](Self::profile).
+    ///
+    /// # Examples
+    /// ```
+    /// use nalgebra::vector;
+    /// use symspline::{Analyse, Curve, SplineSpace};
+    /// // Two parabolas with nearly the same tangent in 1.
+    /// let space = SplineSpace::clamped(2, [0.0, 1.0, 1.0, 2.0])?;
+    /// let points = [[0.0, 0.0], [1.0, 1.0], [2.0, 1.0], [3.0, 1.0001], [4.0, 0.0]];
+    /// let c = Curve::new(space, points.map(Into::into).to_vec())?;
+    /// assert_eq!(c.profile()?.events().len(), 1);
+    /// assert_eq!(c.profile_within(0.001)?.events().len(), 3);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    fn profile_within(&self, tolerance: f64) -> Result<CurvatureProfile<T>>
+    where
+        T: Certified,
+        SVector<T, N>: Crossed<T>,
+    {
+        if !tolerance.is_finite() || tolerance < 0.0 {
+            return Err(Error::BadTolerance { tolerance: tolerance.to_string() });
+        }
+        profile::profile(self.to_lifted()?, tolerance)
     }
 
     /// Where the curve meets the line (in the plane) or plane (in space) of all `x` with `normal · x = offset`: every place,
@@ -264,5 +393,43 @@ fn quotient<T: Scalar>(numerator: Pieces<T>, denominator: Option<Pieces<T>>) -> 
     match denominator {
         Some(denominator) => RationalFunction::from_quotient(&numerator, &denominator.into_spline()?),
         None => RationalFunction::from_polynomial(&numerator),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::space::SplineSpace;
+    use nalgebra::vector;
+
+    fn parabola(size: f64) -> Curve<f64, 2> {
+        let points = vec![vector![-size, size], vector![0.0, -size], vector![size, size]];
+        Curve::new(SplineSpace::bezier(2, -1.0, 1.0).unwrap(), points).unwrap()
+    }
+
+    #[test]
+    fn curvature_has_the_inverse_unit() {
+        for size in [1e-300, 1e-150, 1e150, 1e300] {
+            assert!(
+                (parabola(size).curvature_at(&0.5).unwrap() * size - 0.5_f64.sqrt()).abs() < 1e-14,
+                "{size}"
+            );
+        }
+    }
+
+    #[test]
+    fn curvature_beyond_the_range_is_an_error() {
+        assert_eq!(
+            parabola(1e-310).curvature_at(&0.0),
+            Err(Error::NotFinite { what: "curvature", index: 0 })
+        );
+    }
+
+    #[test]
+    fn a_point_has_no_curvature() {
+        let point = Curve::constant(SplineSpace::bezier(3, 0.0, 1.0).unwrap(), vector![1.0, 2.0]).unwrap();
+        for x in [0.0, 0.065_074_244_953_946_05, 1.0] {
+            assert!(matches!(point.curvature_at(&x), Err(Error::Stationary { .. })));
+        }
     }
 }

@@ -39,14 +39,15 @@ struct End<const N: usize> {
     bend: Across<Q>,
 }
 
-/// How the spans `left` and `right` of a curve meet.
+/// How the spans `left` and `right` of a curve meet. An angle of the directions, or a jump of the curvature in proportion to its size,
+/// that is not above `tolerance` counts for nothing.
 ///
 /// # Errors
 /// [`Error::TooLarge`](crate::Error::TooLarge).
 pub(crate) fn joint<T: Engine, const N: usize>(
     curve: &Lifted<T, N>,
-    left: usize,
-    right: usize,
+    [left, right]: [usize; 2],
+    tolerance: f64,
 ) -> Result<Joint> {
     let [before, after] = [end(curve, left, true)?, end(curve, right, false)?];
     // Points are weighted.
@@ -55,8 +56,9 @@ pub(crate) fn joint<T: Engine, const N: usize>(
     }
     let (Some(from), Some(to)) = (&before.direction, &after.direction) else { return Ok(Joint::Still) };
     let (across, along) = (wedge(from, to), dot(from, to));
-    if !across.iter().all(Q::is_zero) {
-        return Ok(Joint::Corner(turn(from, to)));
+    let turn = if across.iter().all(Q::is_zero) { 0.0 } else { angle(from, to) };
+    if turn > tolerance {
+        return Ok(Joint::Corner(turn));
     }
     if along.is_negative() {
         return Ok(Joint::Back);
@@ -64,12 +66,15 @@ pub(crate) fn joint<T: Engine, const N: usize>(
     if [&before, &after].iter().any(|end| end.velocity.iter().all(Q::is_zero)) {
         return Ok(Joint::Still);
     }
-    let order = signed_square(&after).cmp(&signed_square(&before));
-    Ok(if order == Ordering::Equal { Joint::Smooth } else { Joint::Jump(order) })
+    let squares = [signed_square(&before), signed_square(&after)];
+    let order = squares[1].cmp(&squares[0]);
+    let [one, other] = squares.map(|square| square.to_f64().signum() * square.to_f64().abs().sqrt());
+    let tiny = (one - other).abs() <= tolerance * one.abs().max(other.abs());
+    Ok(if order == Ordering::Equal || tolerance > 0.0 && tiny { Joint::Smooth } else { Joint::Jump(order) })
 }
 
 /// The angle between two directions, from 0 to π.
-fn turn<const N: usize>(from: &SVector<Q, N>, to: &SVector<Q, N>) -> f64 {
+fn angle<const N: usize>(from: &SVector<Q, N>, to: &SVector<Q, N>) -> f64 {
     let unit = |c: &SVector<Q, N>| {
         let size = c.iter().map(Q::abs).max().filter(|size| !size.is_zero()).unwrap_or_else(Q::one);
         c.map(|x| (x / &size).to_f64()).normalize()

@@ -22,7 +22,7 @@ use crate::space::SplineSpace;
 use crate::spline::{Curve, Function, Spline};
 use crate::vector::dot;
 use nalgebra::SVector;
-use num_traits::One;
+use num_traits::{One, Zero};
 use std::sync::Arc;
 
 /// Points and weights of a curve, which are splines of one space.
@@ -199,22 +199,28 @@ impl<T: Scalar, const N: usize> Motion<T, N> {
 }
 
 impl<const N: usize> Motion<Ball, N> {
-    /// The curvature at `x` of the curve of piece `i`, in the plane with its sign.
-    pub(crate) fn curvature(&self, i: usize, x: &Ball) -> Ball {
-        let [p, first, second, _] = [0, 1, 2, 3].map(|k| self.points[k].at(i, x));
-        let (direction, bend, weight) = match &self.weights {
-            None => (first.clone(), wedge(&first, &second), Ball::one()),
-            Some(weights) => {
-                let [w, slope, change, _] = [0, 1, 2, 3].map(|k| weights[k].at(i, x));
-                let bend =
-                    wedge(&first, &second) * w - wedge(&p, &second) * slope + wedge(&p, &first) * change;
-                (first * w - p * slope, bend, w)
+    /// The curvature at `x` of the curve of piece `i`, in the plane with its sign, and its derivative by arc length.
+    pub(crate) fn curvature(&self, i: usize, x: &Ball) -> [Ball; 2] {
+        let [p, first, second, third] = [0, 1, 2, 3].map(|k| self.points[k].at(i, x));
+        let one = [Ball::one(), Ball::zero(), Ball::zero(), Ball::zero()];
+        let [w, w1, w2, w3] =
+            self.weights.as_ref().map_or(one, |weights| [0, 1, 2, 3].map(|k| weights[k].at(i, x)));
+        let (direction, turned) = (first * w - p * w1, second * w - p * w2);
+        let bend_with = |change: &SVector<Ball, N>, w2| {
+            wedge(&first, change) * w - wedge(&p, change) * w1 + wedge(&p, &first) * w2
+        };
+        let (bend, bend_slope) = (bend_with(&second, w2), bend_with(&third, w3));
+        let (speed, three) = (dot(&direction, &direction), Ball::int(3));
+        let rise = bend * (w1 * three) + bend_slope * w;
+        let slope = rise * speed - bend * (w * three * dot(&direction, &turned));
+        let (bend, slope) = match N < 3 {
+            true => (bend[2], slope[2]),
+            false => {
+                let size = dot(&bend, &bend).root();
+                (size, dot(&bend, &slope) / size)
             }
         };
-        let speed = dot(&direction, &direction);
-        let cube = speed * speed.root();
-        let bend = if N < 3 { bend[2] } else { dot(&bend, &bend).root() };
-        weight * weight * weight * bend / cube
+        [w * w * w * bend / (speed * speed.root()), w * w * w * w * slope / (speed * speed * speed)]
     }
 }
 

@@ -1,5 +1,6 @@
 //! What a curve is like: zeros, curvature and its events, with proofs.
 
+pub mod curvature;
 mod ball;
 mod pieces;
 mod lifted;
@@ -10,4 +11,3 @@ mod joint;
 pub mod events;
 pub mod profile;
 pub mod analyse;
-pub mod curvature;

@@ -31,10 +31,22 @@ pub struct Run<T> {
     pub trend: Ordering,
 }
 
+/// A curvature to draw.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sample {
+    /// The parameter.
+    pub parameter: f64,
+    /// The curvature.
+    pub curvature: f64,
+    /// The derivative of the curvature by arc length; not a number where a curve in space is straight.
+    pub slope: f64,
+}
+
 /// The curvature of a curve along its parameter: signed in the plane, not negative in space.
 ///
 /// Events and runs are proved: there are no others, and none of them is due to rounding or sampling. Over `f64` that is said of the curve
-/// with just these numbers: where they have been rounded before, tiny jumps and corners are events too, to be told by their size.
+/// with just these numbers. Where they have been rounded, tiny jumps and corners are events too, unless
+/// [`profile_within`](crate::Analyse::profile_within) is told to pass over them. Events nearer to each other than rounding may change places.
 ///
 /// # Examples
 /// ```
@@ -53,7 +65,7 @@ pub struct CurvatureProfile<T> {
     domain: (T, T),
     events: Vec<Event<T>>,
     marks: Vec<Marked<T>>,
-    samples: Vec<[f64; 2]>,
+    samples: Vec<Sample>,
 }
 
 impl<T: Certified> CurvatureProfile<T> {
@@ -72,10 +84,56 @@ impl<T: Certified> CurvatureProfile<T> {
         self.events.iter().filter(|event| event.kind == kind).count()
     }
 
-    /// Parameters and curvatures to draw, ascending, a number for each span; at a knot there is one from each side. They are not
-    /// proved to anything; where the curvature is not finite there is none.
-    pub fn samples(&self) -> &[[f64; 2]] {
+    /// Curvatures to draw, ascending, as many for each span; at a knot there is one from each side. Nothing is proved of them.
+    /// Where the curvature is not finite there is none.
+    pub fn samples(&self) -> &[Sample] {
         &self.samples
+    }
+
+    /// The scale of a comb nine of ten of whose teeth are no longer than `length`; zero for a straight curve.
+    ///
+    /// # Examples
+    /// ```
+    /// use nalgebra::vector;
+    /// use symspline::{Analyse, circle};
+    /// let profile = circle(&vector![0.0, 0.0], &2.0)?.profile()?;
+    /// assert!((profile.comb_scale(1.0) - 2.0).abs() < 1e-12);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    pub fn comb_scale(&self, length: f64) -> f64 {
+        let mut sizes: Vec<f64> = self.samples.iter().map(|sample| sample.curvature.abs()).collect();
+        sizes.sort_by(f64::total_cmp);
+        let size = sizes.get(sizes.len() * 9 / 10).copied().unwrap_or(0.0);
+        if size > 0.0 { length / size } else { 0.0 }
+    }
+
+    /// The logarithmic curvature graph: `log10 ρ` against `log10 |ρ ds/dρ|` with the radius `ρ = 1 / |κ|`, for every
+    /// sample where both are finite and the curve is not straight.
+    ///
+    /// Of curves that please it is nearly straight; its slope is 1 for logarithmic spirals, 2 for involutes of circles and -1 for
+    /// clothoids.
+    ///
+    /// # Examples
+    /// ```
+    /// use nalgebra::vector;
+    /// use symspline::{Analyse, Curve, SplineSpace};
+    /// let points = vec![vector![1.0, 1.0], vector![1.5, 2.0], vector![2.0, 4.0]];
+    /// let parabola = Curve::new(SplineSpace::bezier(2, 1.0, 2.0)?, points)?.profile()?; // y = x²
+    /// // ρ = (1 + 4x²)^(3/2) / 2 and ρ ds/dρ = (1 + 4x²)^(3/2) / (12 x).
+    /// let [x, y] = parabola.log_log()[0];
+    /// assert!((x - (5.0_f64.powf(1.5) / 2.0).log10()).abs() < 1e-12);
+    /// assert!((y - (5.0_f64.powf(1.5) / 12.0).log10()).abs() < 1e-12);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    pub fn log_log(&self) -> Vec<[f64; 2]> {
+        // Nothing is told from curvatures that are rounding beside the others.
+        let largest = self.samples.iter().fold(0.0_f64, |most, sample| most.max(sample.curvature.abs()));
+        let bent = self.samples.iter().filter(|sample| sample.curvature.abs() > 1e-9 * largest);
+        // ds/dρ = -κ² ds/dκ.
+        let point = |sample: &Sample| {
+            [-sample.curvature.abs().log10(), (sample.curvature / sample.slope).abs().log10()]
+        };
+        bent.map(point).filter(|point| point.iter().all(|x| x.is_finite())).collect()
     }
 
     /// The stretches between events on which the curvature rises, falls or stays, in order, parted by jumps and by places
@@ -174,18 +232,21 @@ impl<T: Certified> CurvatureProfile<T> {
     }
 }
 
-/// The profile of a curve.
+/// The profile of a curve, whose joints are looked at as [`joint`] says.
 ///
 /// # Errors
 /// [`Error::TooLarge`], [`Error::DegreeTooHigh`].
-pub(crate) fn profile<T: Certified, const N: usize>(curve: Lifted<T, N>) -> Result<CurvatureProfile<T>> {
+pub(crate) fn profile<T: Certified, const N: usize>(
+    curve: Lifted<T, N>,
+    tolerance: f64,
+) -> Result<CurvatureProfile<T>> {
     let (space, domain) = (curve.space().clone(), curve.space().domain());
     let (ends, domain) = (space.ends(), (domain.0.clone(), domain.1.clone()));
     let condition = |what| Condition { curve: curve.clone(), what };
     let [speed, bend, slope] =
         [What::Speed, What::Bend, What::Slope].map(|what| T::courses(&condition(what)));
     let (speed, bend, slope) = (speed?, bend?, slope?);
-    let joints = joints(&curve, &speed)?;
+    let joints = joints(&curve, &speed, tolerance)?;
     // A curve that ends where it starts is closed, whatever its space.
     let closed = !matches!(joints[0], Some(Joint::Gap));
     let stands =
@@ -200,7 +261,7 @@ pub(crate) fn profile<T: Certified, const N: usize>(curve: Lifted<T, N>) -> Resu
         _ => Mark::Turn,
     });
     let balls =
-        Measure { motion: curve.over(|x| Ok(x.ball())).and_then(|curve| curve.motion(2)).ok(), ends: &ends };
+        Measure { motion: curve.over(|x| Ok(x.ball())).and_then(|curve| curve.motion(3)).ok(), ends: &ends };
     let event = |kind, place: Place<T>| {
         let curvature = balls.around(&place, closed);
         Event { kind, place, curvature, turn: if kind == EventKind::Cusp { PI } else { 0.0 } }
@@ -259,6 +320,7 @@ pub(crate) fn profile<T: Certified, const N: usize>(curve: Lifted<T, N>) -> Resu
 fn joints<T: Certified, const N: usize>(
     curve: &Lifted<T, N>,
     speed: &[Course<T>],
+    tolerance: f64,
 ) -> Result<Vec<Option<Joint>>> {
     let space = curve.space();
     let (spans, breaks): (Vec<usize>, _) = (space.spans().collect(), space.breaks());
@@ -273,7 +335,7 @@ fn joints<T: Certified, const N: usize>(
         if is_ring && space.degree() >= breaks[i].1 + 2 && !stands {
             return Ok(None);
         }
-        joint(curve, spans[left], spans[i]).map(Some)
+        joint(curve, [spans[left], spans[i]], tolerance).map(Some)
     };
     (0..=count).map(at).collect()
 }
@@ -320,19 +382,19 @@ impl<T: Certified, const N: usize> Measure<'_, T, N> {
     fn on(&self, i: usize, low: &T, high: &T) -> Bounds {
         let x = Ball::between(low.ball().bounds().0, high.ball().bounds().1);
         let (low, high) =
-            self.motion.as_ref().map_or(Ball::UNKNOWN, |motion| motion.curvature(i, &x)).bounds();
+            self.motion.as_ref().map_or(Ball::UNKNOWN, |motion| motion.curvature(i, &x)[0]).bounds();
         Bounds { low, high }
     }
 
-    fn samples(&self) -> Vec<[f64; 2]> {
+    fn samples(&self) -> Vec<Sample> {
         let Some(motion) = &self.motion else { return Vec::new() };
         let mut samples = Vec::new();
         for (i, ends) in self.ends.windows(2).enumerate() {
             let [a, b] = [&ends[0], &ends[1]].map(|x| x.ball().middle());
             samples.extend((0..=SAMPLES).filter_map(|j| {
                 let x = if j == SAMPLES { b } else { a + (b - a) * (j as f64 / SAMPLES as f64) };
-                let curvature = motion.curvature(i, &Ball::exact(x)).middle();
-                curvature.is_finite().then_some([x, curvature])
+                let [curvature, slope] = motion.curvature(i, &Ball::exact(x)).map(|ball| ball.middle());
+                curvature.is_finite().then_some(Sample { parameter: x, curvature, slope })
             }));
         }
         samples

@@ -27,7 +27,7 @@ impl<T: Scalar, const N: usize> Curve<T, N> {
     /// # Examples
     /// ```
     /// use nalgebra::vector;
-    /// use symspline::{Curve, Function, SplineSpace};
+    /// use symspline::{Analyse, Curve, Function, SplineSpace};
     /// let points = vec![vector![0.0, 0.0], vector![1.0, 2.0], vector![2.0, 0.0]];
     /// let curve = Curve::new(SplineSpace::bezier(2, 0.0, 1.0)?, points)?;
     /// let alpha = Function::new(SplineSpace::bezier(1, 0.0, 1.0)?, vec![1.0, 2.0])?;

@@ -165,6 +165,12 @@ fn mark(svg: &mut Svg, at: Point, marker: Marker, style: &Style) {
             let r = 1.2 * r;
             polyline([corner(-r, 0.0), corner(0.0, -r), corner(r, 0.0), corner(0.0, r)]) + "Z"
         }
+        Marker::Up | Marker::Down => {
+            // Its centre of mass is the point.
+            let (r, up) = (1.15 * r, if marker == Marker::Up { -1.15 * r } else { 1.15 * r });
+            polyline([corner(-r, -0.6 * up), corner(0.0, up), corner(r, -0.6 * up)]) + "Z"
+        }
+        Marker::Cross => line(corner(-r, -r), corner(r, r)) + &line(corner(-r, r), corner(r, -r)),
         Marker::Tick => line(corner(0.0, r), corner(0.0, -r)),
     };
     let fill = Some(style.fill.unwrap_or(Color::WHITE));

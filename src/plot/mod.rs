@@ -39,6 +39,7 @@ mod header;
 mod layout;
 mod draw;
 mod png;
+mod profile;
 mod figure;
 
 pub use figure::Figure;

@@ -91,6 +91,12 @@ pub enum Marker {
     Square,
     /// A square on its corner.
     Diamond,
+    /// A triangle that points up.
+    Up,
+    /// A triangle that points down.
+    Down,
+    /// A cross of two diagonals.
+    Cross,
     /// A short vertical line through the point.
     Tick,
 }

@@ -2,7 +2,7 @@
 
 use crate::check::{check_row, derivative_size, for_each, largest, shortest_span};
 use crate::data::Case;
-use symspline::{Curve, Function, Q, Result};
+use symspline::{Analyse, Curve, Function, Q, Result};
 
 /// The bound over `f64`: relative to the size of the numbers of which `N` and `S` are sums, in epsilons.
 const FACTOR: f64 = 1.0;

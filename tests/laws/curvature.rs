@@ -3,7 +3,7 @@
 use nalgebra::{SVector, vector};
 use proptest::collection::vec;
 use proptest::prelude::*;
-use symspline::{Curve, Error, Function, SplineSpace};
+use symspline::{Analyse, Curve, Error, Function, SplineSpace};
 
 /// How far off a curvature may be, in units of `|C''| / |C'|²`.
 const ACCURACY: f64 = 1e-13;
