@@ -37,15 +37,12 @@ pub(crate) fn marks<T: Clone>(
     at_end: impl Fn(usize) -> Mark,
     is_cut: impl Fn(usize, &RootValue<T>) -> bool,
 ) -> Vec<Marked<T>> {
-    let count = courses.len();
     let mut marks = Vec::new();
-    for i in 0..=count {
-        let course = courses.get(i);
-        marks.push(Marked {
-            value: RootValue::Exact(ends[i].clone()),
-            after: course.map(|course| course.signs[0]),
-            mark: at_end(i),
-        });
+    let at_knots = ends.iter().zip(courses.iter().map(Some).chain([None])).enumerate();
+    for (i, (end, course)) in at_knots.take(courses.len() + usize::from(!closed)) {
+        let value = RootValue::Exact(end.clone());
+        let after = course.map(|course| course.signs[0]);
+        marks.push(Marked { value, after, mark: at_end(i) });
         let Some(course) = course else { break };
         let mut sign = course.signs[0];
         marks.extend(course.inside.iter().map(|(value, multiplicity)| {
@@ -53,9 +50,6 @@ pub(crate) fn marks<T: Clone>(
             let mark = if is_cut(i, value) { Mark::Cut } else { Mark::Turn };
             Marked { value: value.clone(), after: Some(sign), mark }
         }));
-        if i + 1 == count && closed {
-            break;
-        }
     }
     marks
 }

@@ -130,7 +130,7 @@ proptest! {
                 let (low, high) = event.place.bounds();
                 matches!(event.place, Place::At(_)) && *low < x && x < *high
             };
-            if sign == Ordering::Equal || events.iter().any(|event| within(event)) {
+            if sign == Ordering::Equal || events.iter().any(within) {
                 continue;
             }
             if let Some((y, before)) = last.replace((x.clone(), sign)) {
@@ -212,8 +212,8 @@ proptest! {
         // Different events within one rounding may change places.
         for kind in kinds(&found) {
             let (found, expected) = (found.events().iter(), expected.events().iter());
-            let (mut found, mut expected) = (found.filter(|e| e.kind == kind), expected.filter(|e| e.kind == kind));
-            while let Some(event) = found.next() {
+            let (found, mut expected) = (found.filter(|e| e.kind == kind), expected.filter(|e| e.kind == kind));
+            for event in found {
                 let exact = expected.next().expect("as many events of a kind");
                 let ((low, high), (least, most)) = (event.place.bounds(), exact.place.bounds());
                 prop_assert!(Q::try_from(*low)? <= *most && *least <= Q::try_from(*high)?);
