@@ -51,7 +51,7 @@ fn profiles(criterion: &mut Criterion) {
         group.bench_function(format!("{name}/Q"), |b| b.iter(|| black_box(&exact).profile()));
         let at: Vec<f64> = (0..69 * 24).map(|i| i as f64 / (69.0 * 24.0)).collect();
         group.bench_function(format!("{name}/samples"), |b| {
-            b.iter(|| curve.curvature_profile(black_box(&at)))
+            b.iter(|| curve.curvature_profile(black_box(&at)));
         });
     }
 }
