@@ -7,8 +7,10 @@ use crate::analysis::certify::condition::{Condition, What};
 use crate::analysis::certify::{Certified, Course};
 use crate::analysis::lifted::Lifted;
 use crate::error::Result;
+use crate::exact::Q;
 use crate::rational::spline::RationalFunction;
-use crate::roots::RootValue;
+use crate::roots::{Polynomial, Root, RootValue};
+use crate::scalar::Scalar;
 use crate::spline::Function;
 use nalgebra::SVector;
 use std::cmp::Ordering;
@@ -73,8 +75,8 @@ impl<T> Zero<T> {
 impl<T: Certified> Function<T> {
     /// The zeros, ascending, each proved to be one and none left out; zero intervals are given as such.
     ///
-    /// Over [`Q`](crate::Q) rational zeros are exact, and others isolated (see [`Root::narrowed`](crate::roots::Root::narrowed) for closer
-    /// bounds). Over `f64` the coefficients and knots are taken as the exact numbers they are, and zeros lie between floats that are neighbours or
+    /// Over [`Q`](crate::Q) rational zeros are exact, and others enclosed about as closely as floats would (see
+    /// [`narrowed`](Self::narrowed) for more). Over `f64` the coefficients and knots are taken as the exact numbers they are, and zeros lie between floats that are neighbours or
     /// close. The seam of a ring is given once, at its start.
     ///
     /// # Errors
@@ -100,6 +102,35 @@ impl<T: Certified> Function<T> {
             curve: Lifted::polynomial(&self.map_coeffs(|c| SVector::from([c.clone()]))?),
             what,
         })
+    }
+}
+
+impl Function<Q> {
+    /// A zero of this function enclosed more closely, in an interval no longer than `width`, or found exactly on the way.
+    ///
+    /// # Errors
+    /// [`Error::BadTolerance`](crate::Error::BadTolerance) unless `width` is positive; [`Error::OutsideDomain`](crate::Error::OutsideDomain).
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::{Function, Q, Scalar, SplineSpace};
+    /// // x² - 2 on [0, 2], its root to fifty digits.
+    /// let f = Function::new(SplineSpace::bezier(2, Q::int(0), Q::int(2))?, [-2, -2, 2].map(Q::int).to_vec())?;
+    /// let width = (0..50).fold(Q::int(1), |width, _| width / Q::int(10));
+    /// let zero = f.narrowed(&f.zeros()?[0], &width)?;
+    /// let (low, high) = zero.place.bounds();
+    /// assert!(low * low < Q::int(2) && Q::int(2) < high * high && high - low <= width);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    pub fn narrowed(&self, zero: &Zero<Q>, width: &Q) -> Result<Zero<Q>> {
+        let Place::At(value @ RootValue::Enclosed(low, high)) = &zero.place else { return Ok(zero.clone()) };
+        // The enclosure may start at a knot, but not cross one.
+        let k = self.space().locate(&(low.clone() + (high.clone() - low) * Q::frac(1, 2)))?;
+        let knots = self.space().knots();
+        let ends = [knots[k].clone(), knots[k + 1].clone()];
+        let piece = Polynomial::new(ends[0].clone(), ends[1].clone(), self.bernstein(&ends)?)?;
+        let root = Root { value: value.clone(), multiplicity: zero.multiplicity };
+        Ok(Zero { place: Place::At(root.narrowed(&piece, width)?.value), ..zero.clone() })
     }
 }
 

@@ -247,6 +247,15 @@ proptest! {
     }
 
     #[test]
+    fn gentle_scales_keep_the_sequence_of_events(by in proptest::collection::vec(-20_i64..=20, 3)) {
+        // α within a fiftieth of 1; the wave has simple extrema only.
+        let wave = bezier(&[[0, 0], [1, 2], [2, -2], [3, 0]]);
+        let alpha = by.iter().map(|by| Q::int(1) + Q::frac(*by, 1000)).collect();
+        let alpha = Function::new(SplineSpace::bezier(2, Q::int(0), Q::int(1))?, alpha)?;
+        prop_assert_eq!(wave.profile()?.differs_at(&wave.fine_tuned(&alpha)?.profile()?), None);
+    }
+
+    #[test]
     fn typical_curves_are_monotone(degree in 2_usize..=5, stretch in 13_i64..=20) {
         // Each leg of the control polygon is the one before, turned by the angle of 3, 4, 5 and stretched by 1.3 to 2, more than 5 / 4:
         // then the curvature falls all the way [Mineur, Lichah, Castelain and Giaume, 1998].
@@ -264,6 +273,16 @@ proptest! {
         prop_assert_eq!(profile.events().len(), 0);
         prop_assert_eq!(profile.runs().len(), 1);
     }
+}
+
+#[test]
+fn strong_scales_make_extrema() {
+    let arch = bezier(&[[0, 0], [1, 2], [2, 0]]);
+    let space = SplineSpace::bezier(2, Q::int(0), Q::int(1)).expect("a domain");
+    let alpha = Function::new(space, [1, 20, 1].map(Q::int).to_vec()).expect("three values");
+    let tuned = arch.fine_tuned(&alpha).and_then(|tuned| tuned.profile()).expect("a profile");
+    assert_eq!(kinds(&arch.profile().expect("a profile")), [EventKind::Minimum]);
+    assert!(tuned.events().len() > 1 && arch.profile().expect("a profile").differs_at(&tuned).is_some());
 }
 
 #[test]
