@@ -68,9 +68,11 @@ pub mod plot;
 
 pub use analysis::analyse::Analyse;
 pub use analysis::certify::Certified;
+pub use analysis::crossings::Crossings;
 pub use analysis::curvature::Curved;
 pub use analysis::events::{Bounds, Event, EventKind};
-pub use analysis::profile::{CurvatureProfile, Run, Sample};
+pub use analysis::measure::Sample;
+pub use analysis::profile::{CurvatureProfile, Run};
 pub use analysis::zeros::{Place, Zero};
 pub use bilinear::{BilinearMap, BilinearRow};
 pub use build::conics::{arc, arc_by_angles, circle, conic, ellipse, segment};

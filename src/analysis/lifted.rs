@@ -142,6 +142,14 @@ impl<T: Scalar, const N: usize> Motion<T, N> {
         self.weights.as_ref().map(|weights| &weights[0])
     }
 
+    /// `P - w q`: from a point to the curve, times the weight.
+    pub(crate) fn away_from(&self, point: &SVector<T, N>) -> Pieces<T, SVector<T, N>> {
+        match self.weights() {
+            Some(weights) => self.points().plus(-1, &weights.map(|weight| point.map(|x| x * weight))),
+            None => self.points().map(|c| c - point),
+        }
+    }
+
     /// `D`.
     pub(crate) fn direction(&self) -> Result<Pieces<T, SVector<T, N>>> {
         self.turned(1)

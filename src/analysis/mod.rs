@@ -9,5 +9,7 @@ pub mod zeros;
 mod chain;
 mod joint;
 pub mod events;
+pub mod measure;
 pub mod profile;
 pub mod analyse;
+pub mod crossings;

@@ -4,21 +4,18 @@
 //! curvature, and one with the sign of its slope. Their zeros are found with a proof; at knots, where the curve is
 //! less smooth than its derivatives ask for, both sides are compared exactly.
 
-use crate::analysis::ball::Ball;
 use crate::analysis::certify::condition::{Condition, What};
 use crate::analysis::certify::{Certified, Course};
 use crate::analysis::chain::{Mark, Marked, changes, marks};
-use crate::analysis::events::{Bounds, Event, EventKind};
+use crate::analysis::events::{Event, EventKind};
 use crate::analysis::joint::{Joint, joint};
-use crate::analysis::lifted::{Lifted, Motion};
+use crate::analysis::lifted::Lifted;
+use crate::analysis::measure::{Measure, Sample};
 use crate::analysis::zeros::{Place, joined};
 use crate::error::{Error, Result};
 use crate::roots::RootValue;
 use std::cmp::Ordering;
 use std::f64::consts::PI;
-
-/// How many samples a span has.
-const SAMPLES: usize = 24;
 
 /// A stretch on which the curvature rises, falls or stays as it is.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -29,17 +26,6 @@ pub struct Run<T> {
     pub end: RootValue<T>,
     /// `Greater` where the curvature rises, `Less` where it falls, `Equal` where it is constant.
     pub trend: Ordering,
-}
-
-/// A curvature to draw.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sample {
-    /// The parameter.
-    pub parameter: f64,
-    /// The curvature.
-    pub curvature: f64,
-    /// The derivative of the curvature by arc length; not a number where a curve in space is straight.
-    pub slope: f64,
 }
 
 /// The curvature of a curve along its parameter: signed in the plane, not negative in space.
@@ -260,8 +246,7 @@ pub(crate) fn profile<T: Certified, const N: usize>(
         Some(Joint::Jump(up)) => Mark::Step(*up),
         _ => Mark::Turn,
     });
-    let balls =
-        Measure { motion: curve.over(|x| Ok(x.ball())).and_then(|curve| curve.motion(3)).ok(), ends: &ends };
+    let balls = Measure::new(&curve, &ends);
     let event = |kind, place: Place<T>| {
         let curvature = balls.around(&place, closed);
         Event { kind, place, curvature, turn: if kind == EventKind::Cusp { PI } else { 0.0 } }
@@ -348,55 +333,4 @@ fn overlap<T: PartialOrd>(one: &RootValue<T>, other: &RootValue<T>) -> bool {
 fn meet<T: PartialOrd>(one: &Place<T>, other: &Place<T>) -> bool {
     let ((a, b), (c, d)) = (one.bounds(), other.bounds());
     a <= d && c <= b
-}
-
-/// Curvatures with bounds.
-struct Measure<'a, T, const N: usize> {
-    motion: Option<Motion<Ball, N>>,
-    ends: &'a [T],
-}
-
-impl<T: Certified, const N: usize> Measure<'_, T, N> {
-    /// The curvature before and after a place, or inside an interval at its start and end.
-    fn around(&self, place: &Place<T>, closed: bool) -> [Bounds; 2] {
-        let count = self.ends.len() - 1;
-        let (low, high) = place.bounds();
-        // The span right of a parameter, and the one left of it.
-        let right = |x: &T| (self.ends.partition_point(|t| t <= x) - 1).min(count - 1);
-        let left = |x: &T| match self.ends.partition_point(|t| t < x) {
-            0 if closed => count - 1,
-            i => i.saturating_sub(1),
-        };
-        match place {
-            Place::Along(..) => [self.on(right(low), low, low), self.on(left(high), high, high)],
-            Place::At(RootValue::Exact(x)) => {
-                let before = left(x);
-                let x_before = if closed && *x == self.ends[0] { &self.ends[count] } else { x };
-                [self.on(before, x_before, x_before), self.on(right(x), x, x)]
-            }
-            Place::At(RootValue::Enclosed(..)) => [self.on(right(low), low, high); 2],
-        }
-    }
-
-    /// The curvature of the curve of span `i` between two parameters.
-    fn on(&self, i: usize, low: &T, high: &T) -> Bounds {
-        let x = Ball::between(low.ball().bounds().0, high.ball().bounds().1);
-        let (low, high) =
-            self.motion.as_ref().map_or(Ball::UNKNOWN, |motion| motion.curvature(i, &x)[0]).bounds();
-        Bounds { low, high }
-    }
-
-    fn samples(&self) -> Vec<Sample> {
-        let Some(motion) = &self.motion else { return Vec::new() };
-        let mut samples = Vec::new();
-        for (i, ends) in self.ends.windows(2).enumerate() {
-            let [a, b] = [&ends[0], &ends[1]].map(|x| x.ball().middle());
-            samples.extend((0..=SAMPLES).filter_map(|j| {
-                let x = if j == SAMPLES { b } else { a + (b - a) * (j as f64 / SAMPLES as f64) };
-                let [curvature, slope] = motion.curvature(i, &Ball::exact(x)).map(|ball| ball.middle());
-                curvature.is_finite().then_some(Sample { parameter: x, curvature, slope })
-            }));
-        }
-        samples
-    }
 }

@@ -2,7 +2,8 @@
 
 use crate::analysis::certify::Certified;
 use crate::analysis::events::{Event, EventKind};
-use crate::analysis::profile::{CurvatureProfile, Sample};
+use crate::analysis::measure::Sample;
+use crate::analysis::profile::CurvatureProfile;
 use crate::error::Result;
 use crate::plot::panel::Panel;
 use crate::plot::style::{Color, Marker, Style};

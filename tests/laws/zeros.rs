@@ -191,3 +191,47 @@ fn a_foot_in_exactly_a_knot_is_found_once() {
     let (low, high) = zeros[0].place.bounds();
     assert!(high - low < 1e-15 && (low - 0.3).abs() < 1e-15);
 }
+
+#[test]
+fn lines_and_planes_are_met() {
+    use nalgebra::vector;
+    use symspline::{Crossings, Curve, SplineSpace, circle};
+    // The unit circle and y = 3/5: in ±4/5, exactly.
+    let unit = circle(&vector![Q::int(0), Q::int(0)], &Q::int(1)).expect("a circle");
+    let line = [vector![Q::int(7), Q::frac(3, 5)], vector![Q::int(-2), Q::int(0)]];
+    let places = unit.meet_line(&line[0], &line[1]).expect("places");
+    let points: Vec<_> = places
+        .iter()
+        .map(|zero| match &zero.place {
+            Place::At(RootValue::Exact(x)) => unit.at(x).expect("inside"),
+            place => panic!("{place:?}"),
+        })
+        .collect();
+    assert_eq!(points, [[4, 3], [-4, 3]].map(|c| vector![Q::frac(c[0], 5), Q::frac(c[1], 5)]));
+    assert_eq!(unit.crossings(&vector![Q::int(0), Q::int(5)], &Q::int(3)).expect("places").len(), 2);
+    // Nearly touching: one part in 10^30 below and above the top, and at it.
+    let tiny = (0..30).fold(Q::int(1), |tiny, _| tiny / Q::int(10));
+    let direction = vector![Q::int(1), Q::int(0)];
+    let count = |y: Q| unit.meet_line(&vector![Q::int(0), y], &direction).expect("places").len();
+    assert_eq!([count(Q::int(1) - &tiny), count(Q::int(1)), count(Q::int(1) + &tiny)], [2, 1, 0]);
+    // A space curve with a straight span in the plane z = 1, another through it.
+    let space = SplineSpace::clamped(1, [0, 1, 2, 3].map(Q::int)).expect("knots ascend");
+    let points = [[0, 0, 1], [1, 0, 1], [2, 5, 3], [0, 0, -1]].map(|c| c.map(Q::int).into());
+    let path = Curve::<Q, 3>::new(space, points.to_vec()).expect("four points");
+    let places = path.crossings(&vector![Q::int(0), Q::int(0), Q::int(2)], &Q::int(2)).expect("places");
+    let places: Vec<_> = places.into_iter().map(|zero| zero.place).collect();
+    assert_eq!(places, [Place::Along(Q::int(0), Q::int(1)), Place::At(RootValue::Exact(Q::frac(5, 2)))]);
+}
+
+#[test]
+fn feet_are_where_the_distance_turns() {
+    use nalgebra::vector;
+    use symspline::{Crossings, circle};
+    let unit = circle(&vector![Q::int(0), Q::int(0)], &Q::int(1)).expect("a circle");
+    let feet = unit.feet(&vector![Q::int(3), Q::int(0)]).expect("feet");
+    // Near and far; the seam of the circle, which is no ring here, shows both ends.
+    let bounds: Vec<_> = feet.iter().map(|zero| zero.place.bounds().0.clone()).collect();
+    assert_eq!(bounds, [Q::int(0), Q::frac(1, 2), Q::int(1)]);
+    let all = unit.feet(&vector![Q::int(0), Q::int(0)]).expect("feet");
+    assert_eq!(all[0].place, Place::Along(Q::int(0), Q::int(1)));
+}

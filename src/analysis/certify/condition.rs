@@ -1,6 +1,6 @@
 //! Scalar functions of a curve whose zeros say something about it, over whichever field the curve is.
 
-use crate::analysis::lifted::Lifted;
+use crate::analysis::lifted::{Lifted, wedge};
 use crate::analysis::pieces::Pieces;
 use crate::coeff::Coeff;
 use crate::error::Result;
@@ -26,6 +26,8 @@ pub(crate) enum What<T, const N: usize> {
     Slope,
     /// How far the curve is above the line or plane across `normal`, with `normal · x = offset` on it.
     Above { normal: SVector<T, N>, offset: T },
+    /// In the plane, how far the curve is left of the line through `origin`.
+    Left { origin: SVector<T, N>, direction: SVector<T, N> },
     /// The derivative of the distance from a point.
     Foot { point: SVector<T, N> },
 }
@@ -37,7 +39,7 @@ impl<T: Scalar, const N: usize> Condition<T, N> {
     /// [`Error::TooLarge`](crate::Error::TooLarge), [`Error::DegreeTooHigh`](crate::Error::DegreeTooHigh).
     pub(crate) fn function(&self) -> Result<Pieces<T>> {
         let order = match &self.what {
-            What::Above { .. } => 0,
+            What::Above { .. } | What::Left { .. } => 0,
             What::Speed | What::Foot { .. } => 1,
             What::Bend => 2,
             What::Slope => 3,
@@ -59,15 +61,10 @@ impl<T: Scalar, const N: usize> Condition<T, N> {
                     None => heights.map(|height| height.clone() - offset),
                 })
             }
-            What::Foot { point } => {
-                let away = match motion.weights() {
-                    Some(weights) => {
-                        motion.points().plus(-1, &weights.map(|weight| point.map(|x| x * weight)))
-                    }
-                    None => motion.points().map(|c| c - point),
-                };
-                away.times(&motion.direction()?, dot)
+            What::Left { origin, direction } => {
+                Ok(motion.away_from(origin).map(|away| wedge(direction, away)[2].clone()))
             }
+            What::Foot { point } => motion.away_from(point).times(&motion.direction()?, dot),
         }
     }
 
@@ -102,6 +99,9 @@ impl<T: Scalar, const N: usize> What<T, N> {
             Self::Speed => What::Speed,
             Self::Bend => What::Bend,
             Self::Slope => What::Slope,
+            Self::Left { origin, direction } => {
+                What::Left { origin: vector(origin)?, direction: vector(direction)? }
+            }
             Self::Foot { point } => What::Foot { point: vector(point)? },
             Self::Above { normal, offset } => {
                 What::Above { normal: vector(normal)?, offset: convert(offset)? }

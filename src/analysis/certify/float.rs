@@ -153,3 +153,24 @@ fn near(part: &Polynomial<Ball>, a: f64, b: f64) -> f64 {
     }
     low * 0.5 + high * 0.5
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scalar::Scalar;
+
+    #[test]
+    fn signs_that_are_not_certain_count_only_where_they_do_not_matter() {
+        // A third less a third may be anything near zero.
+        let unknown = Ball::frac(1, 3) - Ball::frac(1, 3);
+        let count = |c: &[Option<i64>]| {
+            let c = c.iter().map(|c| c.map_or(unknown, Ball::int)).collect();
+            variations(&Polynomial::new(Ball::int(0), Ball::int(1), c).unwrap())
+        };
+        assert_eq!(count(&[Some(1), Some(-1), Some(0), Some(2)]), Some(2));
+        assert_eq!(count(&[Some(1), None, Some(-1)]), Some(1));
+        assert_eq!(count(&[Some(1), None, Some(1)]), None);
+        assert_eq!(count(&[Some(1), None, None, Some(-1)]), None);
+        assert_eq!(count(&[Some(1), None, Some(-1), None, Some(1)]), Some(2));
+    }
+}
