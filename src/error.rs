@@ -193,6 +193,14 @@ pub enum Error {
         /// The tolerance given.
         tolerance: String,
     },
+    /// A point is not on a curve or surface within the tolerance.
+    #[error("the point is {distance} away, which is above the tolerance {tolerance}")]
+    TooFar {
+        /// The distance.
+        distance: String,
+        /// The tolerance given.
+        tolerance: String,
+    },
     /// A spline is not one of the lower degree asked for.
     #[error("the spline is not one of degree {degree}")]
     NotReducible {

@@ -72,6 +72,8 @@ pub use analysis::crossings::Crossings;
 pub use analysis::curvature::Curved;
 pub use analysis::events::{Bounds, Event, EventKind};
 pub use analysis::measure::Sample;
+pub use analysis::nearest::foot::{Foot, Nearest};
+pub use analysis::nearest::projector::Projector;
 pub use analysis::profile::{CurvatureProfile, Run};
 pub use analysis::zeros::{Place, Zero};
 pub use bilinear::{BilinearMap, BilinearRow};

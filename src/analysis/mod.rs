@@ -13,3 +13,4 @@ pub mod measure;
 pub mod profile;
 pub mod analyse;
 pub mod crossings;
+pub mod nearest;
