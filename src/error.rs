@@ -256,6 +256,15 @@ pub enum Error {
         /// The parameter.
         parameter: String,
     },
+    /// The curvature of a curve vanishes, so that it has no Frenet normal there.
+    #[error("the curvature vanishes at parameter {parameter}: there is no Frenet normal")]
+    Straight {
+        /// The parameter.
+        parameter: String,
+    },
+    /// A vector that should give a normal is along the tangent, or zero.
+    #[error("the vector for the first normal is zero or along the tangent")]
+    AlongTangent,
     /// The first derivatives of a surface are parallel, so that it has no normal there.
     #[error("the surface has no normal at ({u}, {v})")]
     NoNormal {

@@ -62,8 +62,8 @@ impl<T: Scalar> KnotVector<T> {
     /// The first span whose length has no finite inverse.
     pub(crate) fn narrow_span(&self) -> Option<usize> {
         let narrow = |pair: &[T]| {
-            let width = pair[1].clone() - &pair[0];
-            !(T::one() / if width.is_zero() { T::one() } else { width }).is_finite()
+            let width = if pair[0] == pair[1] { T::one() } else { pair[1].clone() - &pair[0] };
+            !(T::one() / width).is_finite()
         };
         // Most often there is none: look at all without a branch first.
         let any = self.windows(2).fold(false, |any, pair| any | narrow(pair));

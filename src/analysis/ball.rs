@@ -82,6 +82,11 @@ impl Ball {
         self.middle
     }
 
+    /// How far from the middle its numbers are at most.
+    pub(crate) fn radius(&self) -> f64 {
+        self.radius
+    }
+
     /// The square roots of its numbers that are not negative.
     pub(crate) fn root(&self) -> Self {
         let (low, high) = self.bounds();

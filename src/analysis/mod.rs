@@ -1,4 +1,4 @@
-//! What a curve is like: zeros, curvature and its events, with proofs.
+//! What curves and surfaces are like: zeros, curvature and its events, lengths, nearest points, frames, most of it with proofs.
 
 pub mod curvature;
 mod ball;
@@ -13,4 +13,8 @@ pub mod measure;
 pub mod profile;
 pub mod analyse;
 pub mod crossings;
+pub mod turning;
+pub mod length;
+pub mod frames;
+pub mod surface_curvature;
 pub mod nearest;

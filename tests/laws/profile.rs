@@ -57,6 +57,11 @@ fn check_runs<const N: usize>(
     Ok(())
 }
 
+/// The squared length.
+fn dot<const N: usize>(c: &SVector<Q, N>) -> Q {
+    Q::dot(c.iter().zip(c.iter()))
+}
+
 fn kinds<T: Certified>(profile: &CurvatureProfile<T>) -> Vec<EventKind> {
     profile.events().iter().map(|event| event.kind).collect()
 }
@@ -156,7 +161,14 @@ proptest! {
             let d = c.derivatives_at(x, 2)?;
             let Some(square) = signed_square(&d[1], &d[2]) else { continue };
             let bounds = event.curvature[1];
-            if !(bounds.low.is_finite() && bounds.high.is_finite()) || x == c.domain().1 {
+            if x == c.domain().1 {
+                continue;
+            }
+            // Where the curve hardly moves nothing is known; on moderate spans it is.
+            let breaks = c.space().breaks();
+            let moderate = breaks.windows(2).all(|ends| (&ends[1].0 - &ends[0].0) == Q::int(1));
+            prop_assert!(!moderate || bounds.low.is_finite() || dot(&d[1]) < Q::frac(1, 1000));
+            if !(bounds.low.is_finite() && bounds.high.is_finite()) {
                 continue;
             }
             let signed = |x: f64| Q::try_from(x).map(|x| if x < Q::int(0) { -(&x * &x) } else { &x * &x });
