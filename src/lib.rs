@@ -74,6 +74,10 @@ pub use analysis::events::{Bounds, Event, EventKind};
 pub use analysis::frames::Frame;
 pub use analysis::length::ArcLength;
 pub use analysis::measure::Sample;
+pub use analysis::meet::arc::PlaneCurve;
+pub use analysis::meet::report::{
+    Certainty, Intersections, LineMeeting, LineMeetings, LineOverlap, Meeting, Overlap, Passage,
+};
 pub use analysis::nearest::foot::{Foot, Nearest};
 pub use analysis::nearest::projector::Projector;
 pub use analysis::profile::{CurvatureProfile, Run};

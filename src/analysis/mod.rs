@@ -1,4 +1,5 @@
-//! What curves and surfaces are like: zeros, curvature and its events, lengths, nearest points, frames, most of it with proofs.
+//! What curves and surfaces are like: zeros, curvature and its events, lengths, frames, nearest points,
+//! meetings, most of it with proofs.
 
 pub mod curvature;
 mod ball;
@@ -18,3 +19,4 @@ pub mod length;
 pub mod frames;
 pub mod surface_curvature;
 pub mod nearest;
+pub mod meet;

@@ -48,6 +48,8 @@ mod surface_curvature;
 mod nearest;
 mod nearest_surfaces;
 mod nearest_hostile;
+mod meet;
+mod meet_line;
 mod fine_tune;
 mod hold;
 mod surface;
