@@ -127,9 +127,9 @@ fn report(file: &str, title: &str, unit: &str, curves: &[(&str, &Plane)]) -> Res
     {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(path);
         if is_svg {
-            figure.write_svg(&path)?
+            figure.write_svg(&path)?;
         } else {
-            figure.write_png(&path, 1.0)?
+            figure.write_png(&path, 1.0)?;
         }
         println!("wrote {}", path.display());
     }
