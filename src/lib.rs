@@ -24,7 +24,7 @@
 //! - surfaces: [`tensor`]; rational curves and surfaces: [`rational`];
 //! - splines from data, and conics: [`build`];
 //! - roots of polynomials: [`roots`];
-//! - curvature: [`analysis`];
+//! - zeros, curvature profiles, lengths, frames, nearest points, meetings: [`analysis`];
 //! - fine tuning: [`fine_tune`];
 //! - pictures: the module `plot`, behind the feature of that name.
 

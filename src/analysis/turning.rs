@@ -109,7 +109,7 @@ where
     /// let points = vec![vector![0.0, 0.0], vector![2.0, 0.0], vector![2.0, 2.0], vector![2.0, 4.0], vector![4.0, 4.0]];
     /// let bend = Curve::new(SplineSpace::clamped(2, [0.0, 1.0, 1.0, 2.0])?, points)?;
     /// let angle = bend.turning_angle()?;
-    /// assert!(angle.low <= 0.0 && 0.0 <= angle.high && angle.high - angle.low < 1e-14);
+    /// assert!(angle.low <= 0.0 && 0.0 <= angle.high && angle.high - angle.low < 1e-13);
     /// # Ok::<(), symspline::Error>(())
     /// ```
     fn turning_angle(&self) -> Result<Bounds>

@@ -7,8 +7,8 @@ use proptest::prelude::*;
 use std::cmp::Ordering;
 use symspline::roots::RootValue;
 use symspline::{
-    Analyse, Certified, CurvatureProfile, Curve, EventKind, Function, NurbsCurve, Place, Q, Result, Scalar,
-    SplineSpace, Weighted, circle, ellipse,
+    Analyse, Certified, CurvatureProfile, Curve, Ends, EventKind, Function, NurbsCurve, Place, Q, Result,
+    Scalar, SplineSpace, Turning, Weighted, circle, ellipse,
 };
 
 type Outcome = std::result::Result<(), TestCaseError>;
@@ -376,4 +376,29 @@ fn hostile_curves_are_answered() {
             assert_eq!(kinds(&profile), kinds(&exact), "size {size:e}, degree {p}");
         }
     }
+}
+
+#[test]
+fn a_fitted_clothoid_is_monotone() {
+    // κ = s: x = ∫ cos(s²/2) ds, y = ∫ sin(s²/2) ds, by Simpson's rule on short steps.
+    let (start, end, count) = (0.25, 1.75, 600);
+    let step = (end - start) / f64::from(count);
+    let direction = |s: f64| vector![(s * s / 2.0).cos(), (s * s / 2.0).sin()];
+    let mut points = vec![vector![0.0, 0.0]];
+    for i in 0..count {
+        let s = start + step * f64::from(i);
+        let rule = direction(s) + direction(s + step / 2.0) * 4.0 + direction(s + step);
+        points.push(points[points.len() - 1] + rule * (step / 6.0));
+    }
+    let parameters: Vec<f64> = (0..=count).map(|i| start + step * f64::from(i)).collect();
+    let space = SplineSpace::uniform(5, 6, start, parameters[points.len() - 1]).expect("a domain");
+    let fit = Curve::least_squares(&space, &parameters, &points, Ends::Held).expect("enough points");
+    let profile = fit.profile().expect("a profile");
+    assert!(profile.events().is_empty(), "{:?}", profile.events());
+    assert_eq!(profile.trend_on(fit.domain().0, fit.domain().1), Ok(Some(Ordering::Greater)));
+    // Its logarithmic curvature graph is a line of slope -1: ρ = 1 / s, and ρ ds/dρ = -s.
+    assert!(profile.log_log().iter().all(|[x, y]| (x + y).abs() < 1e-3));
+    let total = (end * end - start * start) / 2.0;
+    let found = fit.total_curvature(1e-9).expect("bounds");
+    assert!((found.low - total).abs() < 1e-6 && found.high - found.low < 1e-9);
 }
