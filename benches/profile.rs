@@ -1,5 +1,6 @@
-//! What does a proof cost? Zeros of a scalar spline, and the curvature profile of a car body before and after fine tuning, over `f64` and over
-//! the exact numbers that the floats are; beside them samples of the curvature, which prove nothing.
+//! What does a proof cost? Zeros of a scalar spline, and the curvature profile of a car body before and after fine
+//! tuning, over `f64` and over the exact numbers that the floats are; beside them samples of the curvature, which prove
+//! nothing.
 
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use nalgebra::{SVector, vector};

@@ -1,4 +1,5 @@
-//! Curvature profiles with all their events proved: of a car body profile and of a letter, before and after fine tuning.
+//! Curvature profiles with all their events proved: of a car body profile and of a letter, before and after fine
+//! tuning.
 #![allow(clippy::print_stdout, reason = "the example reports on standard output")]
 
 use nalgebra::{SVector, vector};

@@ -57,8 +57,8 @@ impl<T: Scalar, const N: usize, L: sealed::Liftable<T, N>> Analyse<T, N> for L {
 
 /// Curvature as algebra and with certificates, for [`Curve`] and [`NurbsCurve`] alike.
 ///
-/// All of it is exact over [`Q`](crate::Q). Where a proof is promised, `f64` means the exact numbers that the floats are.
-/// Functions are given piece by piece: their spaces have every knot as often as it may be.
+/// All of it is exact over [`Q`](crate::Q). Where a proof is promised, `f64` means the exact numbers that the floats
+/// are. Functions are given piece by piece: their spaces have every knot as often as it may be.
 ///
 /// # Examples
 /// ```
@@ -230,8 +230,8 @@ pub trait Analyse<T: Scalar, const N: usize>: sealed::Liftable<T, N> {
         quotient(numerator, Some(bend.times(&bend, dot)?))
     }
 
-    /// A function with the sign of the curvature in the plane, and with the zeros of the curvature in space: `C' × C''` or its
-    /// square, times a power of the weight.
+    /// A function with the sign of the curvature in the plane, and with the zeros of the curvature in space: `C' × C''`
+    /// or its square, times a power of the weight.
     ///
     /// # Errors
     /// As [`speed_squared`](Self::speed_squared).
@@ -285,8 +285,9 @@ pub trait Analyse<T: Scalar, const N: usize>: sealed::Liftable<T, N> {
         profile::profile(self.to_lifted()?, 0.0)
     }
 
-    /// The profile of a curve that is meant to be smooth: corners that turn by no more than the angle `tolerance`, and jumps of the
-    /// curvature by no more than that part of it, are passed over. Everything between knots is proved as before.
+    /// The profile of a curve that is meant to be smooth: corners that turn by no more than the angle `tolerance`, and
+    /// jumps of the curvature by no more than that part of it, are passed over. Everything between knots is proved as
+    /// before.
     ///
     /// # Errors
     /// [`Error::BadTolerance`] unless `tolerance` is finite and not negative; and those of [`profile`](Self::profile).

@@ -1,8 +1,8 @@
 //! Where a sign changes along a curve: chains of signs.
 //!
 //! The signs of the slope of the curvature and its jumps at knots are one chain of rises and falls. Where a rise is
-//! followed by a fall there is a maximum, whatever constant stretches lie between. Where the curve stands still or has a corner the chain is cut.
-//! The signs of the curvature itself are a chain too, and its changes are the inflections.
+//! followed by a fall there is a maximum, whatever constant stretches lie between. Where the curve stands still or has
+//! a corner the chain is cut. The signs of the curvature itself are a chain too, and its changes are the inflections.
 
 use crate::analysis::certify::Course;
 use crate::analysis::zeros::Place;

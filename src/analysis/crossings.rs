@@ -11,13 +11,14 @@ use nalgebra::SVector;
 
 impl<T: Certified, const N: usize, L: sealed::Liftable<T, N>> Crossings<T, N> for L {}
 
-/// Every place where a curve meets a line or plane, with a proof, for [`Curve`](crate::Curve) and [`NurbsCurve`](crate::NurbsCurve) alike.
+/// Every place where a curve meets a line or plane, with a proof, for [`Curve`](crate::Curve) and
+/// [`NurbsCurve`](crate::NurbsCurve) alike.
 ///
 /// Exact over [`Q`](crate::Q); `f64` means the exact numbers that the floats are.
 pub trait Crossings<T: Certified, const N: usize>: sealed::Liftable<T, N> {
-    /// Where the curve meets the line (in the plane) or plane (in space) of all `x` with `normal · x = offset`: every place,
-    /// proved. A curve that runs along it for whole spans is reported as intervals. `before` and `after` tell on which side the
-    /// curve is.
+    /// Where the curve meets the line (in the plane) or plane (in space) of all `x` with `normal · x = offset`: every
+    /// place, proved. A curve that runs along it for whole spans is reported as intervals. `before` and `after` tell on
+    /// which side the curve is.
     ///
     /// # Errors
     /// [`Error::NotFinite`]; [`Error::NoLength`] for a normal that is zero.
@@ -44,7 +45,8 @@ pub trait Crossings<T: Certified, const N: usize>: sealed::Liftable<T, N> {
     }
 
     /// Where a plane curve meets the line through `origin` along `direction`: every place, proved, as by
-    /// [`crossings`](Self::crossings), and without rounding the line. `before` and `after` are `Greater` where the curve is left of it.
+    /// [`crossings`](Self::crossings), and without rounding the line. `before` and `after` are `Greater` where the
+    /// curve is left of it.
     ///
     /// # Errors
     /// [`Error::NotFinite`]; [`Error::NoLength`] for a direction that is zero.
@@ -73,8 +75,9 @@ pub trait Crossings<T: Certified, const N: usize>: sealed::Liftable<T, N> {
         zeros(&Condition { curve: self.to_lifted()?, what })
     }
 
-    /// The feet of all perpendiculars from `point` to the curve: where the distance has a slope of zero, or turns at a knot, proved. The nearest
-    /// point is one of them, or an end. Where the curve stands still there is one too; an arc about the point is an interval.
+    /// The feet of all perpendiculars from `point` to the curve: where the distance has a slope of zero, or turns at a
+    /// knot, proved. The nearest point is one of them, or an end. Where the curve stands still there is one too; an arc
+    /// about the point is an interval.
     ///
     /// # Errors
     /// [`Error::NotFinite`], [`Error::TooLarge`], [`Error::DegreeTooHigh`].

@@ -29,7 +29,8 @@ impl<T: Real> Curved<T> for SVector<T, 3> {
     }
 }
 
-/// The tip of a tooth of a curvature comb, `scale * |κ|` off the point on the outer side, from value and two derivatives.
+/// The tip of a tooth of a curvature comb, `scale * |κ|` off the point on the outer side, from value and two
+/// derivatives.
 pub(crate) fn tooth<T: Real, const N: usize>(
     derivatives: &[SVector<T, N>],
     scale: &T,

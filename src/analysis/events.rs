@@ -60,6 +60,7 @@ pub struct Event<T> {
     pub place: Place<T>,
     /// The curvature just before the place and just after it; of an interval, at its start and at its end, from inside.
     pub curvature: [Bounds; 2],
-    /// By which angle the direction turns here, of [`Corner`](EventKind::Corner) and [`Cusp`](EventKind::Cusp), from 0 to π.
+    /// By which angle the direction turns here, of [`Corner`](EventKind::Corner) and [`Cusp`](EventKind::Cusp), from 0
+    /// to π.
     pub turn: f64,
 }

@@ -1,16 +1,16 @@
 //! Frames along curves, and torsion.
 //!
-//! The Frenet frame in space has the tangent `C' / |C'|`, the normal towards which the curve turns, and their cross product, the
-//! binormal. It turns about the tangent by the torsion
+//! The Frenet frame in space has the tangent `C' / |C'|`, the normal towards which the curve turns, and their cross
+//! product, the binormal. It turns about the tangent by the torsion
 //!
 //! ```text
 //! τ = (C' × C'')·C''' / |C' × C''|²
 //! ```
 //!
-//! a unit of length, positive for a right-handed screw, and has no meaning where the curvature vanishes. A rotation-minimising
-//! frame does not turn about the tangent at all. From one point to the next it is carried by two reflections,
-//! [Wang, Table I]: at the plane between the points, and at the one that then takes the old tangent to the new one. For steps of
-//! length `h` the error is of the order of `h⁴`.
+//! a unit of length, positive for a right-handed screw, and has no meaning where the curvature vanishes. A
+//! rotation-minimising frame does not turn about the tangent at all. From one point to the next it is carried by two
+//! reflections, [Wang, Table I]: at the plane between the points, and at the one that then takes the old tangent to the
+//! new one. For steps of length `h` the error is of the order of `h⁴`.
 
 use crate::coeff::Coeff;
 use crate::error::{Error, Result};
@@ -72,7 +72,8 @@ fn frenet_frame<T: Real>(derivatives: Vec<SVector<T, 3>>, x: &T) -> Result<Frame
     Ok(Frame { point: derivatives[0].clone(), axes: [tangent, normal, binormal] })
 }
 
-/// The torsion from three derivatives. First and second are brought to size one, so that no product overflows or vanishes.
+/// The torsion from three derivatives. First and second are brought to size one, so that no product overflows or
+/// vanishes.
 fn torsion<T: Scalar>(derivatives: &[SVector<T, 3>], x: &T) -> Result<T> {
     let of_size_one = |d: &SVector<T, 3>| {
         let size = d.iter().map(T::magnitude).reduce(larger).expect("three components");
@@ -230,9 +231,10 @@ impl<T: Real> Curve<T, 3> {
 
     /// Frames at `parameters` that do not turn about the tangent from one to the next.
     ///
-    /// The first normal is `start`, without its part along the tangent; or that of some axis of space, if none is given. On
-    /// plane curves the frames are exact; else they differ from the rotation-minimising ones by the fourth power of
-    /// the distances of the parameters. A jump or a corner between two parameters is stepped over like any other way.
+    /// The first normal is `start`, without its part along the tangent; or that of some axis of space, if none is
+    /// given. On plane curves the frames are exact; else they differ from the rotation-minimising ones by the fourth
+    /// power of the distances of the parameters. A jump or a corner between two parameters is stepped over like any
+    /// other way.
     ///
     /// # Errors
     /// [`Error::OutsideDomain`]; [`Error::ParametersDecrease`]; [`Error::Stationary`] where the derivative vanishes;

@@ -39,8 +39,8 @@ struct End<const N: usize> {
     bend: Across<Q>,
 }
 
-/// How the spans `left` and `right` of a curve meet. An angle of the directions, or a jump of the curvature in proportion to its size,
-/// that is not above `tolerance` counts for nothing.
+/// How the spans `left` and `right` of a curve meet. An angle of the directions, or a jump of the curvature in
+/// proportion to its size, that is not above `tolerance` counts for nothing.
 ///
 /// # Errors
 /// [`Error::TooLarge`](crate::Error::TooLarge).

@@ -9,8 +9,8 @@
 //! E = (3 w' B + w B') |D|² - 3 w B (D·D')           κ' |D|⁵ = w² E,   in space κ κ' |D|⁸ = w⁵ B·E
 //! ```
 //!
-//! Polynomial curves have no weights: `D = P'`, `B = P' × P''`, `E = B' |P'|² - 3 B (P'·P'')`. In the plane `B` and `E` are
-//! numbers; here they are vectors across the plane, so that both are one text.
+//! Polynomial curves have no weights: `D = P'`, `B = P' × P''`, `E = B' |P'|² - 3 B (P'·P'')`. In the plane `B` and `E`
+//! are numbers; here they are vectors across the plane, so that both are one text.
 
 use crate::analysis::ball::Ball;
 use crate::analysis::pieces::Pieces;
@@ -69,7 +69,8 @@ impl<T: Scalar, const N: usize> Lifted<T, N> {
         Ok(Lifted { points: window(&self.points, k, convert)?, weights })
     }
 
-    /// Points and weights between the knots, of degree `order` at least: the order of the highest derivative that is used.
+    /// Points and weights between the knots, of degree `order` at least: the order of the highest derivative that is
+    /// used.
     ///
     /// # Errors
     /// [`Error::TooLarge`](crate::Error::TooLarge).

@@ -1,7 +1,7 @@
 //! Polynomials on neighbouring intervals, each by its Bernstein coefficients; how they meet does not matter.
 //!
-//! So sums, products and derivatives of any order are taken interval by interval, also where a spline would need more knots
-//! than it may have.
+//! So sums, products and derivatives of any order are taken interval by interval, also where a spline would need more
+//! knots than it may have.
 
 use crate::bernstein::Shares;
 use crate::coeff::Coeff;

@@ -1,7 +1,7 @@
 //! Curvature profiles: where the curvature rises and falls, with all its events, proved.
 //!
-//! Three functions of the curve say it all: the squared speed (zero where the curve stands still), one with the sign of the
-//! curvature, and one with the sign of its slope. Their zeros are found with a proof; at knots, where the curve is
+//! Three functions of the curve say it all: the squared speed (zero where the curve stands still), one with the sign of
+//! the curvature, and one with the sign of its slope. Their zeros are found with a proof; at knots, where the curve is
 //! less smooth than its derivatives ask for, both sides are compared exactly.
 
 use crate::analysis::certify::condition::{Condition, What};
@@ -30,9 +30,10 @@ pub struct Run<T> {
 
 /// The curvature of a curve along its parameter: signed in the plane, not negative in space.
 ///
-/// Events and runs are proved: there are no others, and none of them is due to rounding or sampling. Over `f64` that is said of the curve
-/// with just these numbers. Where they have been rounded, tiny jumps and corners are events too, unless
-/// [`profile_within`](crate::Analyse::profile_within) is told to pass over them. Events nearer to each other than rounding may change places.
+/// Events and runs are proved: there are no others, and none of them is due to rounding or sampling. Over `f64` that is
+/// said of the curve with just these numbers. Where they have been rounded, tiny jumps and corners are events too,
+/// unless [`profile_within`](crate::Analyse::profile_within) is told to pass over them. Events nearer to each other
+/// than rounding may change places.
 ///
 /// # Examples
 /// ```
@@ -70,8 +71,8 @@ impl<T: Certified> CurvatureProfile<T> {
         self.events.iter().filter(|event| event.kind == kind).count()
     }
 
-    /// Curvatures to draw, ascending, as many for each span; at a knot there is one from each side. Nothing is proved of them.
-    /// Where the curvature is not finite there is none.
+    /// Curvatures to draw, ascending, as many for each span; at a knot there is one from each side. Nothing is proved
+    /// of them. Where the curvature is not finite there is none.
     pub fn samples(&self) -> &[Sample] {
         &self.samples
     }
@@ -96,8 +97,8 @@ impl<T: Certified> CurvatureProfile<T> {
     /// The logarithmic curvature graph: `log10 ρ` against `log10 |ρ ds/dρ|` with the radius `ρ = 1 / |κ|`, for every
     /// sample where both are finite and the curve is not straight.
     ///
-    /// Of curves that please it is nearly straight; its slope is 1 for logarithmic spirals, 2 for involutes of circles and -1 for
-    /// clothoids.
+    /// Of curves that please it is nearly straight; its slope is 1 for logarithmic spirals, 2 for involutes of circles
+    /// and -1 for clothoids.
     ///
     /// # Examples
     /// ```
@@ -122,8 +123,8 @@ impl<T: Certified> CurvatureProfile<T> {
         bent.map(point).filter(|point| point.iter().all(|x| x.is_finite())).collect()
     }
 
-    /// The stretches between events on which the curvature rises, falls or stays, in order, parted by jumps and by places
-    /// where it is not defined.
+    /// The stretches between events on which the curvature rises, falls or stays, in order, parted by jumps and by
+    /// places where it is not defined.
     ///
     /// # Examples
     /// ```
@@ -150,8 +151,9 @@ impl<T: Certified> CurvatureProfile<T> {
         runs
     }
 
-    /// The trend of the curvature all over `[a, b]`: `Greater` if it is proved never to fall there and `Less` if never to rise, jumps
-    /// included, `Equal` if it is constant; `None` if it has an extremum inside or is not defined somewhere.
+    /// The trend of the curvature all over `[a, b]`: `Greater` if it is proved never to fall there and `Less` if never
+    /// to rise, jumps included, `Equal` if it is constant; `None` if it has an extremum inside or is not defined
+    /// somewhere.
     ///
     /// The proof is by the signs of the slope. Where an end is inside the enclosure of an extremum, there is none.
     ///
@@ -198,8 +200,8 @@ impl<T: Certified> CurvatureProfile<T> {
         })
     }
 
-    /// Where the sequences of events of two profiles first differ in kind, as an index of either; `None` if they are the
-    /// same.
+    /// Where the sequences of events of two profiles first differ in kind, as an index of either; `None` if they are
+    /// the same.
     ///
     /// # Examples
     /// ```
@@ -301,7 +303,8 @@ pub(crate) fn profile<T: Certified, const N: usize>(
     Ok(CurvatureProfile { domain, events, marks: rises, samples: balls.samples() })
 }
 
-/// How the curve goes on at each end of a span, where it may be less than smooth; at the start from the end of the domain.
+/// How the curve goes on at each end of a span, where it may be less than smooth; at the start from the end of the
+/// domain.
 fn joints<T: Certified, const N: usize>(
     curve: &Lifted<T, N>,
     speed: &[Course<T>],

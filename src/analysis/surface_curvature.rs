@@ -1,17 +1,19 @@
 //! Curvature of surfaces.
 //!
-//! With `n = S_u × S_v`, the first form `E, F, G` and the second `L, M, N` (of [`second_form_at`](crate::Surface::second_form_at)):
+//! With `n = S_u × S_v`, the first form `E, F, G` and the second `L, M, N` (of
+//! [`second_form_at`](crate::Surface::second_form_at)):
 //!
 //! ```text
 //! Gaussian   K = k_1 k_2 = (L N - M²) / (E G - F²) = ((S_uu·n) (S_vv·n) - (S_uv·n)²) / |n|⁴
 //! mean       H = (k_1 + k_2) / 2 = (E N - 2 F M + G L) / (2 (E G - F²))
 //! ```
 //!
-//! The principal curvatures `k_1 >= k_2` are the extreme curvatures of normal sections. A section has a positive one where it
-//! bends towards the normal `n`: a sphere of radius `r` has `-1/r` both times where `n` points outwards, `1/r` where it points
-//! inwards. `K` does not depend on the side, and needs no square root.
+//! The principal curvatures `k_1 >= k_2` are the extreme curvatures of normal sections. A section has a positive one
+//! where it bends towards the normal `n`: a sphere of radius `r` has `-1/r` both times where `n` points outwards, `1/r`
+//! where it points inwards. `K` does not depend on the side, and needs no square root.
 //!
-//! Derivatives are taken in units of `S_u` and `S_v`, so that no product overflows or vanishes where the curvature does not.
+//! Derivatives are taken in units of `S_u` and `S_v`, so that no product overflows or vanishes where the curvature does
+//! not.
 
 use crate::coeff::Coeff;
 use crate::error::{Error, Result};
@@ -29,11 +31,11 @@ pub struct PrincipalCurvatures<T> {
     pub greatest: T,
     /// The least one.
     pub least: T,
-    /// Where they are met, the greatest first: the two directions and `n = S_u × S_v` form a right-handed frame. Both might be
-    /// turned round.
+    /// Where they are met, the greatest first: the two directions and `n = S_u × S_v` form a right-handed frame. Both
+    /// might be turned round.
     ///
-    /// None at an umbilic, where all sections have the same curvature: where both are equal, or differ by less than `2^-40` of the
-    /// terms they are made of, so that rounding would choose the directions.
+    /// None at an umbilic, where all sections have the same curvature: where both are equal, or differ by less than
+    /// `2^-40` of the terms they are made of, so that rounding would choose the directions.
     pub directions: Option<[PrincipalDirection<T>; 2]>,
 }
 
@@ -91,8 +93,8 @@ impl<T: Scalar> Scaled<T> {
 }
 
 impl<T: Real> Scaled<T> {
-    /// Both forms in an orthonormal frame: the shape operator, a symmetric matrix `[h_11, h_12, h_22]`, the sizes of what its
-    /// entries are made of, and the frame as `[space, parameters]`.
+    /// Both forms in an orthonormal frame: the shape operator, a symmetric matrix `[h_11, h_12, h_22]`, the sizes of
+    /// what its entries are made of, and the frame as `[space, parameters]`.
     fn shape(&self) -> Option<Shape<T>> {
         let (normal, area) = unit(&self.normal)?;
         let (first, speed) = unit(&self.along_u)?;
@@ -181,8 +183,8 @@ impl<T: Scalar> Surface<T, 3> {
     /// The Gaussian curvature at a point.
     ///
     /// # Errors
-    /// [`Error::OutsideDomain`]; [`Error::NoNormal`] where `S_u × S_v` vanishes; [`Error::NotFinite`] where the curvature
-    /// overflows.
+    /// [`Error::OutsideDomain`]; [`Error::NoNormal`] where `S_u × S_v` vanishes; [`Error::NotFinite`] where the
+    /// curvature overflows.
     ///
     /// # Examples
     /// ```

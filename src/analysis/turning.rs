@@ -1,14 +1,15 @@
 //! How much a curve bends in all: the angle its direction runs through.
 //!
-//! On a piece the direction is that of `D`, a polynomial. By the formula of Crofton its path on the sphere of directions is as long as the mean
-//! number of its crossings with great circles, and a great circle is crossed by the directions of the Bernstein coefficients of
-//! `D` at least as often. So
+//! On a piece the direction is that of `D`, a polynomial. By the formula of Crofton its path on the sphere of
+//! directions is as long as the mean number of its crossings with great circles, and a great circle is crossed by the
+//! directions of the Bernstein coefficients of `D` at least as often. So
 //!
 //! ```text
 //! angle(D(a), D(b))  <=  ∫ |κ| ds  <=  Σ angle(d_i, d_(i+1))
 //! ```
 //!
-//! and halving brings both together. In the plane they are equal as soon as the `d_i` turn one way by less than half a turn.
+//! and halving brings both together. In the plane they are equal as soon as the `d_i` turn one way by less than half a
+//! turn.
 
 use crate::analysis::analyse::sealed;
 use crate::analysis::ball::Ball;
@@ -35,15 +36,17 @@ impl<T: Certified, const N: usize, L: sealed::Liftable<T, N>> Turning<T, N> for 
 {
 }
 
-/// Total curvature and turning angle, enclosed, for [`Curve`](crate::Curve) and [`NurbsCurve`](crate::NurbsCurve) alike.
+/// Total curvature and turning angle, enclosed, for [`Curve`](crate::Curve) and [`NurbsCurve`](crate::NurbsCurve)
+/// alike.
 pub trait Turning<T: Certified, const N: usize>: sealed::Liftable<T, N>
 where
     SVector<T, N>: Crossed<T>,
 {
     /// The total curvature `∫ |κ| ds` in radians, between bounds that are no further apart than `accuracy`.
     ///
-    /// Corners and jumps at knots count nothing ([`profile`](crate::Analyse::profile) has them); a cusp inside a span counts `π`.
-    /// The bounds are further apart where rounding or the limit of 16 384 halvings does not let them come closer.
+    /// Corners and jumps at knots count nothing ([`profile`](crate::Analyse::profile) has them); a cusp inside a span
+    /// counts `π`. The bounds are further apart where rounding or the limit of 16 384 halvings does not let them come
+    /// closer.
     ///
     /// # Errors
     /// [`Error::BadTolerance`] unless `accuracy` is positive and finite; [`Error::TooLarge`], [`Error::NotFinite`].

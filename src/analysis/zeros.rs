@@ -1,7 +1,7 @@
 //! Where a scalar spline is zero or changes its sign, proved.
 //!
-//! Each piece is solved by sign variations of its Bernstein coefficients (see [`roots`](crate::roots)); what happens at a
-//! knot is told from both sides. Nothing is sampled: no zero is missed, none is found twice.
+//! Each piece is solved by sign variations of its Bernstein coefficients (see [`roots`](crate::roots)); what happens at
+//! a knot is told from both sides. Nothing is sampled: no zero is missed, none is found twice.
 
 use crate::analysis::certify::condition::{Condition, What};
 use crate::analysis::certify::{Certified, Course};
@@ -47,8 +47,8 @@ impl<T> Place<T> {
 pub struct Zero<T> {
     /// Where it is.
     pub place: Place<T>,
-    /// How often it counts; on an interval not at all. At a knot it is the smaller number of both sides: 0 where the function
-    /// jumps and one limit at least is not zero.
+    /// How often it counts; on an interval not at all. At a knot it is the smaller number of both sides: 0 where the
+    /// function jumps and one limit at least is not zero.
     pub multiplicity: usize,
     /// The sign before it, unless it is at the start of an open domain.
     pub before: Option<Ordering>,
@@ -75,9 +75,10 @@ impl<T> Zero<T> {
 impl<T: Certified> Function<T> {
     /// The zeros, ascending, each proved to be one and none left out; zero intervals are given as such.
     ///
-    /// Over [`Q`](crate::Q) rational zeros are exact, and others enclosed about as closely as floats would (see
-    /// [`narrowed`](Self::narrowed) for more). Over `f64` the coefficients and knots are taken as the exact numbers they are, and zeros lie between floats that are neighbours or
-    /// close. The seam of a ring is given once, at its start.
+    /// Over [`Q`] rational zeros are exact, and others enclosed about as closely as floats would (see
+    /// [`narrowed`](Self::narrowed) for more). Over `f64` the coefficients and knots are taken as the exact numbers
+    /// they are, and zeros lie between floats that are neighbours or close. The seam of a ring is given once, at its
+    /// start.
     ///
     /// # Errors
     /// [`Error::TooLarge`](crate::Error::TooLarge).
@@ -106,10 +107,12 @@ impl<T: Certified> Function<T> {
 }
 
 impl Function<Q> {
-    /// A zero of this function enclosed more closely, in an interval no longer than `width`, or found exactly on the way.
+    /// A zero of this function enclosed more closely, in an interval no longer than `width`, or found exactly on the
+    /// way.
     ///
     /// # Errors
-    /// [`Error::BadTolerance`](crate::Error::BadTolerance) unless `width` is positive; [`Error::OutsideDomain`](crate::Error::OutsideDomain).
+    /// [`Error::BadTolerance`](crate::Error::BadTolerance) unless `width` is positive;
+    /// [`Error::OutsideDomain`](crate::Error::OutsideDomain).
     ///
     /// # Examples
     /// ```

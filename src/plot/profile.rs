@@ -46,7 +46,8 @@ impl Panel {
         runs.fold(self, |panel, run| panel.polyline(points(run), style))
     }
 
-    /// Marks the events of a profile on its graph, those of one kind alike; with `named` the legend says what the marks mean.
+    /// Marks the events of a profile on its graph, those of one kind alike; with `named` the legend says what the marks
+    /// mean.
     pub fn events<T: Certified>(self, profile: &CurvatureProfile<T>, color: Color, named: bool) -> Self {
         let place = |event: &Event<T>| {
             let value = event.curvature[0].middle();

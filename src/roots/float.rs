@@ -63,8 +63,8 @@ pub(crate) fn close_roots(polynomial: &Polynomial<Q>) -> Roots<Q> {
     })
 }
 
-/// The roots of an exact polynomial, each made by `value` from a factor that has it as a simple one, that factor rounded, and
-/// the ends of an isolating interval, which are equal where it is known.
+/// The roots of an exact polynomial, each made by `value` from a factor that has it as a simple one, that factor
+/// rounded, and the ends of an isolating interval, which are equal where it is known.
 fn each_root<T>(
     polynomial: &Polynomial<Q>,
     value: impl Fn(&Polynomial<Q>, Option<&Polynomial<f64>>, Q, Q) -> RootValue<T>,

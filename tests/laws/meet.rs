@@ -1,5 +1,5 @@
-//! Laws of intersections of plane curves, over `f64`: both curves pass each meeting, and the number of meetings is that of an
-//! independent count.
+//! Laws of intersections of plane curves, over `f64`: both curves pass each meeting, and the number of meetings is that
+//! of an independent count.
 
 use crate::strategies::cases;
 use nalgebra::{SVector, vector};

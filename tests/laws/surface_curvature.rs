@@ -1,5 +1,5 @@
-//! Laws of the curvature of surfaces: exact over `Q` where no root is needed, else over `f64` with bounds that scale with
-//! the terms.
+//! Laws of the curvature of surfaces: exact over `Q` where no root is needed, else over `f64` with bounds that scale
+//! with the terms.
 
 use crate::rational_strategies::nurbs_surface;
 use crate::strategies::{ANY, Kind, cases, probe_pairs, surface};

@@ -8,7 +8,8 @@ use std::cmp::Ordering;
 use symspline::roots::RootValue;
 use symspline::{Certified, Function, Place, Q, Result, Scalar, Zero};
 
-/// The product of a positive spline and powers of `x - root`, and the roots, which lie in its domain: at knots or anywhere.
+/// The product of a positive spline and powers of `x - root`, and the roots, which lie in its domain: at knots or
+/// anywhere.
 fn product() -> impl Strategy<Value = (Function<Q>, Vec<(Q, usize)>)> {
     let place = (any::<Index>(), 0_i64..=12);
     let roots = btree_map(place.prop_map(|(i, share)| (i.index(1 << 20), share)), 1_usize..=3, 0..=3);

@@ -1,9 +1,9 @@
 //! Zeros with a proof: of functions of curves, by exact numbers or by floats with error bounds.
 //!
-//! Over the rationals the function is made exactly, and its pieces are solved (see [`roots`](crate::roots)). Over `f64` it is
-//! made over [balls](crate::analysis::ball) first. Where sign variations of balls decide, they prove as much as exact ones;
-//! where they do not, as at multiple zeros and at zeros on knots, the one piece is made again over the rationals, from the exact numbers that
-//! the floats are.
+//! Over the rationals the function is made exactly, and its pieces are solved (see [`roots`](crate::roots)). Over `f64`
+//! it is made over balls first, floats with a bound of their error. Where sign variations of balls decide, they prove
+//! as much as exact ones; where they do not, as at multiple zeros and at zeros on knots, the one piece is made again
+//! over the rationals, from the exact numbers that the floats are.
 
 pub(crate) mod condition;
 mod float;

@@ -1,7 +1,7 @@
 //! Gauss-Legendre quadrature with a bound of its error.
 //!
-//! The rule of `n` nodes integrates polynomials of degree `2n - 1` over `[-1, 1]`. For a function analytic in the ellipse
-//! `E_ρ` with foci `±1` and half axes that add up to `ρ > 1`, bounded there by `M`, its error is at most
+//! The rule of `n` nodes integrates polynomials of degree `2n - 1` over `[-1, 1]`. For a function analytic in the
+//! ellipse `E_ρ` with foci `±1` and half axes that add up to `ρ > 1`, bounded there by `M`, its error is at most
 //!
 //! ```text
 //! (64 / 15) M / ((1 - ρ⁻²) ρ²ⁿ)                      [Trefethen, Theorem 19.3]
@@ -64,8 +64,8 @@ impl Rule {
         self.nodes.iter().map(|(t, weight)| weight * f(a + (b - a) * t)).sum()
     }
 
-    /// The error of the integral over `[0, 1]` of a function that is analytic in those of the ellipses where `most` is finite,
-    /// and bounded by it there.
+    /// The error of the integral over `[0, 1]` of a function that is analytic in those of the ellipses where `most` is
+    /// finite, and bounded by it there.
     pub(super) fn error(&self, most: &PerEllipse) -> f64 {
         self.factors.iter().zip(most).map(|(factor, most)| factor * most).fold(f64::INFINITY, f64::min)
     }

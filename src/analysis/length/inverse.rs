@@ -10,8 +10,8 @@ const STEPS: usize = 128;
 impl<const N: usize> ArcLength<N> {
     /// The length up to `t` of part `index`, counted from 0 to 1.
     ///
-    /// The rule of the part serves any smaller part from its start as well: the ellipse of that is within the ellipse of the part.
-    /// And chords and polygons of smaller parts are nearer to each other.
+    /// The rule of the part serves any smaller part from its start as well: the ellipse of that is within the ellipse
+    /// of the part. And chords and polygons of smaller parts are nearer to each other.
     pub(super) fn within(&self, index: usize, t: f64) -> f64 {
         let part = &self.parts[index];
         self.starts[index] + (self.local(index, t) * part.unit).min(part.length)

@@ -1,4 +1,5 @@
-//! Polynomials on the ellipses of [`gauss`](super::gauss): powers about the middle, and a bound for what they leave out.
+//! Polynomials on the ellipses of [`gauss`](super::gauss): powers about the middle, and a bound for what they leave
+//! out.
 //!
 //! In `z = 2t - 1` the polynomial with Bernstein coefficients `b` of degree `q` is
 //!
@@ -6,9 +7,10 @@
 //! Σ b_i C(q, i) (1 + z)^i (1 - z)^(q-i) / 2^q = Σ f_k z^k
 //! ```
 //!
-//! Rounding moves `f_k` by a multiple of `C(q, k) max |b|`, so the whole by that of `(1 + r)^q max |b|` where `|z| <= r`. In high
-//! degrees that would be too much. Then only the first terms are kept. What is left has small Bernstein coefficients on a small
-//! piece, and on the ellipse it is at most the largest of them times `(|t| + |1 - t|)^q <= r^q`.
+//! Rounding moves `f_k` by a multiple of `C(q, k) max |b|`, so the whole by that of `(1 + r)^q max |b|` where `|z| <=
+//! r`. In high degrees that would be too much. Then only the first terms are kept. What is left has small Bernstein
+//! coefficients on a small piece, and on the ellipse it is at most the largest of them times `(|t| + |1 - t|)^q <=
+//! r^q`.
 
 use super::gauss::{PerEllipse, RADII, per_ellipse};
 use crate::bernstein::binomials;

@@ -1,8 +1,8 @@
 //! Cutting pieces into parts whose lengths are known well enough.
 //!
-//! A part is done if its chord is nearly as long as its control polygon, or if a Gauss rule has a small enough bound. Else it is
-//! halved. Next to a place where the curve stands still no rule has a bound. There lengths go down with the squares of widths,
-//! or faster, so that after some halvings the polygon is short enough to be of no account.
+//! A part is done if its chord is nearly as long as its control polygon, or if a Gauss rule has a small enough bound.
+//! Else it is halved. Next to a place where the curve stands still no rule has a bound. There lengths go down with the
+//! squares of widths, or faster, so that after some halvings the polygon is short enough to be of no account.
 
 use super::gauss::RULES;
 use super::jet::UNIT;
@@ -48,8 +48,8 @@ struct Candidate<const N: usize> {
     depth: u32,
 }
 
-/// The parts of the curve with these spans, whose lengths add up to its own with the relative `accuracy`, if rounding and the
-/// limits on halving allow.
+/// The parts of the curve with these spans, whose lengths add up to its own with the relative `accuracy`, if rounding
+/// and the limits on halving allow.
 pub(super) fn measure<const N: usize>(
     spans: Vec<Span<N>>,
     degree: &Degree,

@@ -4,10 +4,10 @@
 //! L(x) = ∫ |C'|        from the start of the domain to x
 //! ```
 //!
-//! The length has no closed form, but each piece of a curve has a speed that is analytic away from the places where the curve stands
-//! still. So Gauss rules converge geometrically, and a bound of the speed in the complex plane bounds their error. A curve is
-//! cut into parts on which such a bound is small enough; where there is none, next to a place where it stands still, chord
-//! and control polygon enclose what is left.
+//! The length has no closed form, but each piece of a curve has a speed that is analytic away from the places where the
+//! curve stands still. So Gauss rules converge geometrically, and a bound of the speed in the complex plane bounds
+//! their error. A curve is cut into parts on which such a bound is small enough; where there is none, next to a place
+//! where it stands still, chord and control polygon enclose what is left.
 //!
 //! Where a curve jumps, the jump counts nothing: the length is that of the pieces.
 
@@ -27,8 +27,8 @@ use measure::{Part, Parts, measure};
 use piece::Degree;
 use source::{Span, polynomial_spans, rational_spans};
 
-/// The arc length of a curve, prepared: the total with a certified bound, the length up to a parameter, and the parameter
-/// at a length.
+/// The arc length of a curve, prepared: the total with a certified bound, the length up to a parameter, and the
+/// parameter at a length.
 ///
 /// # Examples
 /// ```
@@ -57,8 +57,8 @@ pub struct ArcLength<const N: usize> {
 impl<const N: usize> Curve<f64, N> {
     /// The arc length, to a relative `accuracy`.
     ///
-    /// [`bound`](ArcLength::bound) is what is certified. It is at most `accuracy` times the length, unless rounding does not
-    /// allow that (below some `1e-14`, times the degree), or the curve stands still in a great many places.
+    /// [`bound`](ArcLength::bound) is what is certified. It is at most `accuracy` times the length, unless rounding
+    /// does not allow that (below some `1e-14`, times the degree), or the curve stands still in a great many places.
     ///
     /// # Errors
     /// [`Error::BadTolerance`] unless `accuracy` is positive and finite; [`Error::NotFinite`] if the length overflows;
@@ -146,8 +146,8 @@ impl<const N: usize> ArcLength<N> {
 
     /// How far [`total`](Self::total) is off at most, rounding included.
     ///
-    /// That of [`at`](Self::at) and [`parameter_at`](Self::parameter_at) is no larger, but for the rounding of the parameter
-    /// itself, which moves along the curve by the speed there.
+    /// That of [`at`](Self::at) and [`parameter_at`](Self::parameter_at) is no larger, but for the rounding of the
+    /// parameter itself, which moves along the curve by the speed there.
     pub fn bound(&self) -> f64 {
         self.bound
     }
@@ -187,8 +187,8 @@ impl<const N: usize> ArcLength<N> {
 
     /// The parameter up to which the curve has the length `s`.
     ///
-    /// Where the curve stands still for a while, which of the parameters is not said; but length zero is the start of the
-    /// domain, and the total, if it is not zero, its end.
+    /// Where the curve stands still for a while, which of the parameters is not said; but length zero is the start of
+    /// the domain, and the total, if it is not zero, its end.
     ///
     /// # Errors
     /// [`Error::OutsideDomain`] unless `s` is between zero and the total.
@@ -213,7 +213,8 @@ impl<const N: usize> ArcLength<N> {
         })
     }
 
-    /// The parameters of `count + 1` points that divide the curve into `count` parts of equal length, both ends included.
+    /// The parameters of `count + 1` points that divide the curve into `count` parts of equal length, both ends
+    /// included.
     ///
     /// # Errors
     /// [`Error::TooFewPoints`] if `count` is zero; [`Error::TooLarge`].

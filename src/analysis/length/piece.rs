@@ -1,4 +1,5 @@
-//! Pieces of a curve as arc length sees them: polynomial by the hodograph, rational by weighted points from the start of the piece.
+//! Pieces of a curve as arc length sees them: polynomial by the hodograph, rational by weighted points from the start
+//! of the piece.
 //!
 //! With `s` from 0 to 1 on the piece the speed is `|D| / W`:
 //!
@@ -78,8 +79,8 @@ impl<const N: usize> Piece<N> {
         }
     }
 
-    /// The lengths of chord and control polygon, between which that of the piece lies. Without positive weights nothing is known
-    /// from above.
+    /// The lengths of chord and control polygon, between which that of the piece lies. Without positive weights nothing
+    /// is known from above.
     pub(super) fn enclosure(&self) -> (f64, f64) {
         match self {
             Self::Polynomial(legs) => {
@@ -120,7 +121,8 @@ impl<const N: usize> Piece<N> {
         }
     }
 
-    /// Bounds of the speed on the ellipses, infinite where it is not shown to be analytic; and about the speed in the middle.
+    /// Bounds of the speed on the ellipses, infinite where it is not shown to be analytic; and about the speed in the
+    /// middle.
     pub(super) fn most(&self, degree: &Degree) -> (PerEllipse, f64) {
         match self {
             Self::Polynomial(legs) => {
@@ -163,8 +165,9 @@ impl<const N: usize> Piece<N> {
 
     /// By how much the length may be wrong since coefficients are rounded in some `p` operations.
     ///
-    /// With positive weights a relative error `e` of them, and one of `e |C|` in the points `C`, moves the length by
-    /// `2 (p + 1) (p + 4) e |C|` at most, however large their ratios: a rational basis function goes up once and down once.
+    /// With positive weights a relative error `e` of them, and one of `e |C|` in the points `C`, moves the length by `2
+    /// (p + 1) (p + 4) e |C|` at most, however large their ratios: a rational basis function goes up once and down
+    /// once.
     pub(super) fn rounding(&self) -> f64 {
         match self {
             Self::Polynomial(legs) => {
@@ -186,7 +189,8 @@ impl<const N: usize> Piece<N> {
     }
 }
 
-/// The power of two not above `size`, which neither has itself nor in its inverse left the range of numbers; one for zero.
+/// The power of two not above `size`, which neither has itself nor in its inverse left the range of numbers; one for
+/// zero.
 pub(super) fn power_of_two(size: f64) -> f64 {
     if size > 0.0 { size.log2().floor().clamp(-1000.0, 1000.0).exp2() } else { 1.0 }
 }

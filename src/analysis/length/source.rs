@@ -1,7 +1,7 @@
 //! From curves to pieces.
 //!
-//! Each span is taken from a control point of its own and in a unit of its own before anything is rounded: then errors are in
-//! proportion to what the span spans, however far it is from the origin.
+//! Each span is taken from a control point of its own and in a unit of its own before anything is rounded: then errors
+//! are in proportion to what the span spans, however far it is from the origin.
 
 use super::jet::{UNIT, size};
 use super::piece::{Piece, power_of_two};

@@ -24,7 +24,8 @@ pub trait PlaneCurve: sealed::Sealed {
     #[doc(hidden)]
     fn ends(&self) -> Vec<f64>;
 
-    /// The Bernstein coefficients between neighbouring `ends`, `(x, y, weight)` with `x` and `y` multiplied by the weight.
+    /// The Bernstein coefficients between neighbouring `ends`, `(x, y, weight)` with `x` and `y` multiplied by the
+    /// weight.
     #[doc(hidden)]
     fn weighted(&self, ends: &[f64]) -> Result<(usize, Vec<[f64; 3]>)>;
 }

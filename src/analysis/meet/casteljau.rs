@@ -41,8 +41,8 @@ fn keep_right<const K: usize>(c: &mut [[f64; K]], line: Line, x: f64) {
     }
 }
 
-/// Replaces the coefficients by those over `[a, b]`, which may reach a little beyond `[0, 1]`. The second of the two cuts
-/// is a convex combination, and the first one too unless the interval reaches out.
+/// Replaces the coefficients by those over `[a, b]`, which may reach a little beyond `[0, 1]`. The second of the two
+/// cuts is a convex combination, and the first one too unless the interval reaches out.
 pub(crate) fn restrict<const K: usize>(c: &mut [[f64; K]], line: Line, a: f64, b: f64) {
     if a < 0.5 {
         if a != 0.0 {

@@ -1,10 +1,11 @@
 //! Newton's method with a proof that there is one solution, and where.
 //!
-//! Let `m` be the point that Newton's method ends at, `Y` the inverse of the Jacobian there and `G = Y F`. On a box with
-//! half-sides `ρ` about `m` let the entries of `G' - I`, scaled by the sides, have row sums of at most `e < 1`. Then
-//! `x ↦ x - G(x)` takes the box into itself if `|G(m)| <= δ < (1 - e) ρ`, and shrinks distances: there is exactly one
-//! solution in the box, and it is no farther from `m` than `δ / (1 - e)` (Krawczyk's test). Rounding counts: `δ` is the value
-//! met and the noise of the system, and the half-sides are large enough to tell differences of coefficients from noise.
+//! Let `m` be the point that Newton's method ends at, `Y` the inverse of the Jacobian there and `G = Y F`. On a box
+//! with half-sides `ρ` about `m` let the entries of `G' - I`, scaled by the sides, have row sums of at most `e < 1`.
+//! Then `x ↦ x - G(x)` takes the box into itself if `|G(m)| <= δ < (1 - e) ρ`, and shrinks distances: there is exactly
+//! one solution in the box, and it is no farther from `m` than `δ / (1 - e)` (Krawczyk's test). Rounding counts: `δ` is
+//! the value met and the noise of the system, and the half-sides are large enough to tell differences of coefficients
+//! from noise.
 
 use crate::analysis::meet::frame::{Coefficients, Kind, inverse};
 use crate::analysis::meet::system::{Pair, Problem, System};

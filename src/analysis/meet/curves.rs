@@ -24,18 +24,18 @@ impl Curve<f64, 2> {
     /// Where the curve meets another one, polynomial or rational.
     ///
     /// Simple meetings are proved to exist and to be the only ones in their ranges of parameters; they are exact up to
-    /// rounding, whatever the tolerance. The `tolerance` is a length: what cannot be decided down to boxes of that size, or
-    /// down to rounding, is reported as [`Contact`](Certainty::Contact), such as places where the curves touch. Stretches that
-    /// coincide up to rounding, and perhaps others along which the curves stay within the tolerance, are reported as overlaps.
-    /// Nothing is reported twice: a meeting at a knot, at the seam of a periodic curve, or where a closed curve starts and
-    /// ends, is one.
+    /// rounding, whatever the tolerance. The `tolerance` is a length: what cannot be decided down to boxes of that
+    /// size, or down to rounding, is reported as [`Contact`](Certainty::Contact), such as places where the curves
+    /// touch. Stretches that coincide up to rounding, and perhaps others along which the curves stay within the
+    /// tolerance, are reported as overlaps. Nothing is reported twice: a meeting at a knot, at the seam of a periodic
+    /// curve, or where a closed curve starts and ends, is one.
     ///
-    /// In `f64` bounds count rounding errors of a few units of the size of the pieces. A curve that jumps has no points in
-    /// between.
+    /// In `f64` bounds count rounding errors of a few units of the size of the pieces. A curve that jumps has no points
+    /// in between.
     ///
     /// # Errors
-    /// [`Error::BadTolerance`] unless `tolerance` is positive and finite; [`Error::TooLarge`] if the curves come near each
-    /// other in too many places; [`Error::Undecided`] if weights cannot be made positive by halving;
+    /// [`Error::BadTolerance`] unless `tolerance` is positive and finite; [`Error::TooLarge`] if the curves come near
+    /// each other in too many places; [`Error::Undecided`] if weights cannot be made positive by halving;
     /// [`Error::NotFinite`] if a control point is not.
     ///
     /// # Examples
@@ -195,8 +195,8 @@ impl Curves {
         }
     }
 
-    /// A place to stand for a group: a proved solution, else the middle of the ranges, unless the curves are much nearer to
-    /// each other elsewhere.
+    /// A place to stand for a group: a proved solution, else the middle of the ranges, unless the curves are much
+    /// nearer to each other elsewhere.
     fn best(&self, group: &[&Found], ranges: &Place) -> ([usize; 2], Pair) {
         if let Some(f) = group.iter().find(|f| f.proved) {
             return (f.arcs, f.x);

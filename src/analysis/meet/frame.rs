@@ -1,10 +1,10 @@
-//! What the coefficients of a box tell: that it holds no solution, or where in it solutions can be, or that there is one at
-//! most.
+//! What the coefficients of a box tell: that it holds no solution, or where in it solutions can be, or that there is
+//! one at most.
 //!
 //! The equations are combined first. Where the mean Jacobian is regular, its inverse makes them nearly `x - a = 0` and
-//! `y - b = 0`; else they are turned so that one equation takes the direction in which the map grows and the other what is
-//! left. The graph of a polynomial lies in the convex hull of its coefficients over their places `i / p`: where the hull of
-//! the least and of the greatest coefficients across misses zero there is no solution.
+//! `y - b = 0`; else they are turned so that one equation takes the direction in which the map grows and the other what
+//! is left. The graph of a polynomial lies in the convex hull of its coefficients over their places `i / p`: where the
+//! hull of the least and of the greatest coefficients across misses zero there is no solution.
 
 use crate::analysis::meet::system::Pair;
 
@@ -165,8 +165,8 @@ impl Frame {
         })
     }
 
-    /// Whether the Jacobian of the combined equations is strictly dominated by its diagonal all over the box: then the map
-    /// is one to one there.
+    /// Whether the Jacobian of the combined equations is strictly dominated by its diagonal all over the box: then the
+    /// map is one to one there.
     pub(crate) fn is_dominated(&self) -> bool {
         (0..2).all(|k| {
             let [low, high] = self.slope_range(k, k);

@@ -1,7 +1,7 @@
 //! Where a line meets a surface.
 //!
-//! With two normals `n_i` of a line through `A`, the points of the surface on the line are the solutions of the two equations
-//! `n_i · (P(u, v) - A w(u, v)) = 0`.
+//! With two normals `n_i` of a line through `A`, the points of the surface on the line are the solutions of the two
+//! equations `n_i · (P(u, v) - A w(u, v)) = 0`.
 
 use crate::analysis::meet::arc::{shifted, unit_exponent};
 use crate::analysis::meet::curves::check;
@@ -21,16 +21,16 @@ use nalgebra::{SVector, vector};
 impl Surface<f64, 3> {
     /// Where the line `origin + x direction` meets the surface.
     ///
-    /// As for [curves](crate::Curve::intersections): simple meetings are proved and exact up to rounding; what cannot be
-    /// decided down to boxes in which the surface is smaller than `tolerance`, or down to rounding, is reported as
-    /// [`Contact`](Certainty::Contact), such as places where the line is tangent to the surface, or passes a pole of it. Stretches
-    /// of the line that lie in the surface are reported as overlaps. Nothing is reported twice.
+    /// As for [curves](crate::Curve::intersections): simple meetings are proved and exact up to rounding; what cannot
+    /// be decided down to boxes in which the surface is smaller than `tolerance`, or down to rounding, is reported as
+    /// [`Contact`](Certainty::Contact), such as places where the line is tangent to the surface, or passes a pole of
+    /// it. Stretches of the line that lie in the surface are reported as overlaps. Nothing is reported twice.
     ///
     /// # Errors
-    /// [`Error::BadTolerance`] unless `tolerance` is positive and finite; [`Error::NotFinite`]; [`Error::NoLength`] if the
-    /// direction is zero; [`Error::OutOfTolerance`] if the origin is so far away that its rounding exceeds the size of the
-    /// surface; [`Error::TooLarge`] if the line comes near the surface in too many places;
-    /// [`Error::Undecided`] if weights cannot be made positive by halving.
+    /// [`Error::BadTolerance`] unless `tolerance` is positive and finite; [`Error::NotFinite`]; [`Error::NoLength`] if
+    /// the direction is zero; [`Error::OutOfTolerance`] if the origin is so far away that its rounding exceeds the size
+    /// of the surface; [`Error::TooLarge`] if the line comes near the surface in too many places; [`Error::Undecided`]
+    /// if weights cannot be made positive by halving.
     ///
     /// # Examples
     /// ```
@@ -235,8 +235,8 @@ impl Query {
         }
     }
 
-    /// A place to stand for a group: a proved solution, else the middle of the ranges, unless the surface is much nearer to
-    /// the line elsewhere.
+    /// A place to stand for a group: a proved solution, else the middle of the ranges, unless the surface is much
+    /// nearer to the line elsewhere.
     fn best(&self, group: &[&Found], ranges: &Place) -> (usize, Pair) {
         if let Some(f) = group.iter().find(|f| f.proved) {
             return (f.piece, f.x);

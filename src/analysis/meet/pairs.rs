@@ -1,5 +1,5 @@
-//! Which pieces of two lists may meet: their boxes overlap. Both lists are halved in turn, so curves that meet seldom cost a
-//! little more than their lengths.
+//! Which pieces of two lists may meet: their boxes overlap. Both lists are halved in turn, so curves that meet seldom
+//! cost a little more than their lengths.
 
 use crate::analysis::meet::solve::Budget;
 use crate::analysis::meet::system::Pair;

@@ -5,12 +5,12 @@ use nalgebra::SVector;
 /// What is known about a place where two things meet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Certainty {
-    /// There is exactly one solution in the ranges of parameters given, and it is simple. At an end of a curve this counts
-    /// the pieces as going on beyond it by a few roundings.
+    /// There is exactly one solution in the ranges of parameters given, and it is simple. At an end of a curve this
+    /// counts the pieces as going on beyond it by a few roundings.
     Proved,
-    /// Not decided. They come as near to each other as the tolerance, or as rounding can tell, and may touch, cross several
-    /// times, or just miss each other. Ranges that are wide say that they run along each other too closely to look at all
-    /// of it.
+    /// Not decided. They come as near to each other as the tolerance, or as rounding can tell, and may touch, cross
+    /// several times, or just miss each other. Ranges that are wide say that they run along each other too closely to
+    /// look at all of it.
     Contact,
 }
 
@@ -32,8 +32,8 @@ pub enum Passage {
 pub struct Meeting {
     /// The parameter on each curve.
     pub parameters: [f64; 2],
-    /// From where to where the parameters of the exact solution lie, or those of the contact. At the seam of a closed curve
-    /// the range starts before the domain.
+    /// From where to where the parameters of the exact solution lie, or those of the contact. At the seam of a closed
+    /// curve the range starts before the domain.
     pub ranges: [(f64, f64); 2],
     /// The point, on the first curve.
     pub point: SVector<f64, 2>,

@@ -91,8 +91,8 @@ impl<S: System> Cell<S> {
     }
 }
 
-/// The solutions in the unit square: boxes are left over only when their points are within `tolerance`, when an equation is
-/// noise all over them, or when there are too many.
+/// The solutions in the unit square: boxes are left over only when their points are within `tolerance`, when an
+/// equation is noise all over them, or when there are too many.
 ///
 /// # Errors
 /// [`Error::TooLarge`].
@@ -251,7 +251,8 @@ impl<S: System> Search<'_, S> {
         }
     }
 
-    /// The solution that Newton's method finds from a cell with one at most, if it is proved; it may be near the cell only.
+    /// The solution that Newton's method finds from a cell with one at most, if it is proved; it may be near the cell
+    /// only.
     fn root_near(&self, frame: &Frame, cell: &Cell<S>) -> Option<Root> {
         // The combined equations are about x - a and y - b: so their means are those from the middle.
         let mean = |k: usize| frame.coeffs.iter().map(|c| c[k]).sum::<f64>() / frame.coeffs.len() as f64;

@@ -1,9 +1,9 @@
 //! Solutions that fill a line, where curves coincide or a line lies in a surface.
 //!
-//! Two polynomials of degrees `(p, q)` with more than `2 p q` common zeros have a common factor (Bézout, on a product of two
-//! lines). The zeros of the factor leave the square through its border: so the border is searched for zeros first, and from
-//! each the line of zeros is followed inwards, in more than `2 p q` steps, each checked to be a zero up to an accuracy, until
-//! it leaves again.
+//! Two polynomials of degrees `(p, q)` with more than `2 p q` common zeros have a common factor (Bézout, on a product
+//! of two lines). The zeros of the factor leave the square through its border: so the border is searched for zeros
+//! first, and from each the line of zeros is followed inwards, in more than `2 p q` steps, each checked to be a zero up
+//! to an accuracy, until it leaves again.
 
 use crate::analysis::meet::casteljau::{Line, restrict, value_and_slope};
 use crate::analysis::meet::frame::{Coefficients, Kind, norm, turn};
@@ -29,8 +29,8 @@ impl Trace {
         [self.points[0], self.points[self.points.len() - 1]]
     }
 
-    /// Whether all solutions in a box are on this line: the line runs through the whole of one side, and for each value of
-    /// that unknown there is one value of the other at most that solves the leading equation.
+    /// Whether all solutions in a box are on this line: the line runs through the whole of one side, and for each value
+    /// of that unknown there is one value of the other at most that solves the leading equation.
     pub(crate) fn covers<S: System>(&self, problem: &Problem<S>, sides: &[Pair; 2]) -> bool {
         (0..2).any(|axis| self.covers_along(problem, sides, axis))
     }
