@@ -202,3 +202,17 @@ fn a_saddle_has_two_feet_above_its_middle() -> symspline::Result<()> {
     assert_eq!(foot.parameter, (1.0, 1.0));
     Ok(())
 }
+
+#[test]
+fn a_point_in_a_long_valley_is_found() {
+    // Collapsed sides, and coordinates of very different sizes.
+    let (u, v) = (SplineSpace::clamped(1, [0.0, 1.0, 3.0]), SplineSpace::bezier(3, 0.0, 11.0 / 7.0));
+    let (zero, tiny, deep) = (vector![0.0, 0.0, 0.0], 1.0 / 1_000_003.0, vector![0.0, 0.0, -5_000_000_035.0]);
+    let middle = [deep, zero, zero, vector![1_000_000_007.0, 0.0, 0.0]];
+    let end = [vector![0.0, -1.0, tiny], zero, vector![tiny, 0.0, tiny], deep];
+    let points = [[zero; 4], middle, end].concat();
+    let s = Surface::new(u.expect("ascending"), v.expect("a domain"), points).expect("a surface");
+    let point = s.at(&1.581_756_087_324, &0.0).expect("inside");
+    let foot = s.projector().and_then(|projector| projector.foot(&point)).expect("a foot");
+    assert!(foot.distance <= 2.0 * 5e9 / (1_u64 << 36) as f64, "{foot:?}");
+}

@@ -252,6 +252,11 @@ impl<X: Place, const N: usize> Projector<X, N> {
         let near = groups.feet.iter().filter(|foot| spots[**foot].distance <= level || **foot == 0);
         let with_place = |foot: &usize| Ok((isles[*foot].at, self.foot_at(&question.point, spots[*foot])?));
         let mut feet = near.map(with_place).collect::<Result<Vec<_>>>()?;
+        // Where the work did not suffice, the best point met may stand for a group after all.
+        let best = with_place(&0)?;
+        if feet.iter().all(|(_, foot)| foot.distance > best.1.distance) {
+            feet.push(best);
+        }
         // Of feet at the same distance those with smaller parameters come first.
         feet.sort_by(|(a, one), (b, other)| {
             one.distance.total_cmp(&other.distance).then(a[0].total_cmp(&b[0])).then(a[1].total_cmp(&b[1]))
