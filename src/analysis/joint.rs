@@ -56,7 +56,7 @@ pub(crate) fn joint<T: Engine, const N: usize>(
     }
     let (Some(from), Some(to)) = (&before.direction, &after.direction) else { return Ok(Joint::Still) };
     let (across, along) = (wedge(from, to), dot(from, to));
-    let turn = if across.iter().all(Q::is_zero) { 0.0 } else { angle(from, to) };
+    let turn = if across.iter().all(Q::is_zero) { 0.0 } else { angle(&across, &along) };
     if turn > tolerance {
         return Ok(Joint::Corner(turn));
     }
@@ -73,14 +73,12 @@ pub(crate) fn joint<T: Engine, const N: usize>(
     Ok(if order == Ordering::Equal || tolerance > 0.0 && tiny { Joint::Smooth } else { Joint::Jump(order) })
 }
 
-/// The angle between two directions, from 0 to π.
-fn angle<const N: usize>(from: &SVector<Q, N>, to: &SVector<Q, N>) -> f64 {
-    let unit = |c: &SVector<Q, N>| {
-        let size = c.iter().map(Q::abs).max().filter(|size| !size.is_zero()).unwrap_or_else(Q::one);
-        c.map(|x| (x / &size).to_f64()).normalize()
-    };
-    let (from, to) = (unit(from), unit(to));
-    2.0 * (from - to).norm().atan2((from + to).norm())
+/// The angle between two directions that are not parallel, from their products: above 0, however small it is.
+fn angle(across: &Across<Q>, along: &Q) -> f64 {
+    let size = across.iter().map(Q::abs).fold(along.abs(), |size, x| if x > size { x } else { size });
+    let part = |x: &Q| (x / &size).to_f64();
+    let sine = across.iter().map(part).fold(0.0, f64::hypot);
+    sine.atan2(part(along)).max(f64::MIN_POSITIVE)
 }
 
 fn end<T: Engine, const N: usize>(curve: &Lifted<T, N>, span: usize, is_last: bool) -> Result<End<N>> {

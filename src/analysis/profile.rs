@@ -233,7 +233,8 @@ pub(crate) fn profile<T: Certified, const N: usize>(
     let condition = |what| Condition { curve: curve.clone(), what };
     let [speed, bend, slope] =
         [What::Speed, What::Bend, What::Slope].map(|what| T::courses(&condition(what)));
-    let (speed, bend, slope) = (speed?, bend?, slope?);
+    let (speed, bend) = (speed?, bend?);
+    let slope = parted(slope?, &speed);
     let joints = joints(&curve, &speed, tolerance)?;
     // A curve that ends where it starts is closed, whatever its space.
     let closed = !matches!(joints[0], Some(Joint::Gap));
@@ -255,7 +256,7 @@ pub(crate) fn profile<T: Certified, const N: usize>(
     };
     let mut events = Vec::new();
     let bends: Vec<Place<T>> = if N < 3 {
-        let signs = marks_of(&bend, &|i| if cut(i) { Mark::Cut } else { Mark::Turn });
+        let signs = marks_of(&parted(bend, &speed), &|i| if cut(i) { Mark::Cut } else { Mark::Turn });
         changes(&signs, closed).into_iter().map(|change| change.place).collect()
     } else {
         let vanishes = joined(&ends, bend, closed).into_iter().map(|zero| zero.place);
@@ -301,6 +302,16 @@ pub(crate) fn profile<T: Certified, const N: usize>(
         one.place.bounds().partial_cmp(&other.place.bounds()).expect("parameters are ordered")
     });
     Ok(CurvatureProfile { domain, events, marks: rises, samples: balls.samples() })
+}
+
+/// The courses of a function with marks where the curve stands still inside spans on which the function vanishes, too.
+fn parted<T: Clone>(mut courses: Vec<Course<T>>, speed: &[Course<T>]) -> Vec<Course<T>> {
+    for (course, speed) in courses.iter_mut().zip(speed) {
+        if course.signs[0] == Ordering::Equal {
+            course.inside = speed.inside.clone();
+        }
+    }
+    courses
 }
 
 /// How the curve goes on at each end of a span, where it may be less than smooth; at the start from the end of the

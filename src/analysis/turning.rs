@@ -17,10 +17,11 @@ use crate::analysis::certify::Certified;
 use crate::analysis::events::Bounds;
 use crate::analysis::lifted::{Lifted, wedge};
 use crate::error::{Error, Result};
+use crate::exact::Q;
 use crate::scalar::Scalar;
 use crate::vector::{Crossed, dot};
 use nalgebra::SVector;
-use num_traits::Zero;
+use num_traits::{One, Zero};
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 use std::f64::consts::PI;
@@ -145,36 +146,65 @@ where
 /// Bernstein coefficients of directions.
 type Directions<const N: usize> = Vec<SVector<Ball, N>>;
 
+/// Directions known less well than to this part of their lengths are made again by exact numbers.
+const LOOSE: f64 = 1e-10;
+
 /// The Bernstein coefficients of the direction on every span where the curve moves, with the number of the span.
 fn directions<T: Certified, const N: usize>(lifted: &Lifted<T, N>) -> Result<Vec<(usize, Directions<N>)>> {
-    let moves = lifted.over(|x| Ok(x.ball()))?.motion(1)?.direction()?;
-    let size = |c: &SVector<Ball, N>| c.iter().fold(0.0_f64, |size, x| size.max(x.middle().abs()));
-    let arc = |i: usize| {
-        let piece = moves.piece(i);
-        // A unit near the size of the speed: its square stays in the range of floats.
-        let unit = Ball::exact(piece.iter().map(size).fold(0.0, f64::max).log2().round().exp2());
-        (!unit.is_zero()).then(|| (i, piece.iter().map(|c| c.map(|x| x / unit)).collect()))
-    };
-    Ok((0..moves.count()).filter_map(arc).collect())
+    let moves = lifted.over(|x| Ok(x.ball())).and_then(|lifted| lifted.motion(1)?.direction()).ok();
+    let mut all = Vec::new();
+    for (i, k) in lifted.space().spans().enumerate() {
+        let arc = match moves.as_ref().and_then(|moves| of_unit_size(moves.piece(i))) {
+            Some(arc) => arc,
+            None => exactly(lifted, k)?,
+        };
+        if !arc.iter().all(vanishes) {
+            all.push((i, arc));
+        }
+    }
+    Ok(all)
+}
+
+/// Directions in a unit near the size of the speed, so that its square stays in the range of floats; if all are known
+/// well.
+fn of_unit_size<const N: usize>(moves: &[SVector<Ball, N>]) -> Option<Directions<N>> {
+    let size = moves.iter().flatten().fold(0.0_f64, |size, x| size.max(x.middle().abs()));
+    let well = |c: &SVector<Ball, N>| vanishes(c) || spread(c) <= LOOSE;
+    if size == 0.0 {
+        return moves.iter().all(vanishes).then(|| moves.to_vec());
+    }
+    let unit = Ball::exact(size.log2().round().exp2());
+    let moves: Directions<N> = moves.iter().map(|c| c.map(|x| x / unit)).collect();
+    moves.iter().all(well).then_some(moves)
+}
+
+/// The directions on the span `k`, from exact numbers.
+fn exactly<T: Certified, const N: usize>(lifted: &Lifted<T, N>, k: usize) -> Result<Directions<N>> {
+    let moves = lifted.window(k, T::exact)?.motion(1)?.direction()?;
+    let sizes = moves.piece(0).iter().flatten().map(Q::abs);
+    let size = sizes.max().filter(|size| !size.is_zero()).unwrap_or_else(Q::one);
+    Ok(moves.piece(0).iter().map(|c| c.map(|x| Ball::around(&(x / &size)))).collect())
 }
 
 fn vanishes<const N: usize>(c: &SVector<Ball, N>) -> bool {
     c.iter().all(Ball::is_zero)
 }
 
-/// The angle between two vectors, from 0 to π, and a bound of its error.
+/// The error of a vector as a part of its length.
+fn spread<const N: usize>(c: &SVector<Ball, N>) -> f64 {
+    let (size, radius) = c.iter().fold((0.0, 0.0), |(size, radius), x| {
+        let middle = x.middle();
+        (size + middle * middle, radius + x.radius())
+    });
+    radius / f64::sqrt(size)
+}
+
+/// The angle between two vectors, from 0 to π, and a bound of its error, also of the angle with the sign of its turn.
 fn angle<const N: usize>(from: &SVector<Ball, N>, to: &SVector<Ball, N>) -> (f64, f64) {
-    let spread = |c: &SVector<Ball, N>| {
-        let (size, radius) = c.iter().fold((0.0, 0.0), |(size, radius), x| {
-            let middle = x.middle();
-            (size + middle * middle, radius + x.radius())
-        });
-        radius / f64::sqrt(size)
-    };
     // A vector that is off by a part of its length turns by an angle with that sine.
     let spread = spread(from) + spread(to);
     if spread.is_nan() || spread >= 0.5 {
-        return (PI / 2.0, PI / 2.0);
+        return (0.0, PI);
     }
     let middles = |c: &SVector<Ball, N>| c.map(|x| x.middle()).normalize();
     let (from, to) = (middles(from), middles(to));

@@ -265,3 +265,19 @@ fn torsion_has_the_inverse_unit() -> Result<()> {
     }
     Ok(())
 }
+
+#[test]
+fn frames_take_every_size_and_equal_parameters() -> Result<()> {
+    let points = [[0.0, 0.0, 0.0], [1.0, 1.0, 0.0], [2.0, 2.0, 1.0]].map(SVector::from);
+    let c = Curve::new(SplineSpace::bezier(2, 0.0, 1.0)?, points.to_vec())?;
+    // The start has a part along the tangent, which rounding leaves in unless it is brought to size one first.
+    for size in [1e-320, 1.0, 1e308] {
+        let frames = c.rotation_minimising_frames(&[0.0, 0.0], Some(&vector![size, size, size]))?;
+        assert!(frames.iter().all(|frame| (frame.normal() - vector![0.0, 0.0, 1.0]).norm() < 1e-14));
+    }
+    let tiny = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [2.0, 1.0, 0.0], [3.0, 3.0, 3.0]]
+        .map(|c| SVector::from(c) * 1e-310);
+    let tiny = Curve::new(SplineSpace::bezier(3, 0.0, 1.0)?, tiny.to_vec())?;
+    assert_eq!(tiny.torsion_at(&0.0), Err(Error::NotFinite { what: "torsion", index: 0 }));
+    Ok(())
+}

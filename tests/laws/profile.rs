@@ -364,6 +364,19 @@ fn knots_are_told_apart() {
 }
 
 #[test]
+fn no_corner_is_too_small_and_no_straight_cusp_is_run_over() {
+    let tiny = (0..200).fold(Q::int(1), |tiny, _| tiny / Q::int(10));
+    let points =
+        [[Q::int(0), Q::int(0)], [Q::int(1), Q::int(1)], [Q::int(2), Q::int(2) + tiny]].map(Into::into);
+    let space = SplineSpace::clamped(1, [0, 1, 2].map(Q::int)).expect("knots ascend");
+    let bent = Curve::<Q, 2>::new(space, points.to_vec()).expect("points").profile().expect("a profile");
+    assert!(bent.count(EventKind::Corner) == 1 && bent.events()[0].turn > 0.0 && bent.runs().len() == 2);
+    let back = bezier(&[[0, 0], [3, 0], [1, 0]]).profile().expect("a profile");
+    assert_eq!((back.count(EventKind::Cusp), back.runs().len()), (1, 2));
+    assert_eq!(back.trend_on(&Q::int(0), &Q::int(1)).expect("in the domain"), None);
+}
+
+#[test]
 fn hostile_curves_are_answered() {
     let space = |p| SplineSpace::clamped(p, [0.0, 0.25, 1.0]).expect("knots ascend");
     for size in [0.0, 1e-310, 1e-300, 1e-13, 1.0, 1e10, 1e150, 1e300] {

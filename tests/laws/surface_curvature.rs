@@ -266,3 +266,19 @@ fn saddles_and_planes() -> Result<()> {
     assert_eq!((k.greatest, k.least, k.directions), (0.0, 0.0, None));
     Ok(())
 }
+
+#[test]
+fn near_umbilics_have_directions_while_rounding_does_not_choose_them() -> Result<()> {
+    // z = (1 + more) x² + y²
+    let (line, square) = ([-1.0, 0.0, 1.0], [1.0, -1.0, 1.0]);
+    let space = SplineSpace::bezier(2, -1.0, 1.0)?;
+    let bowl = |more: f64| {
+        let pairs = (0..9).map(|k| (k / 3, k % 3));
+        let points = pairs.map(|(i, j)| vector![line[i], line[j], (1.0 + more) * square[i] + square[j]]);
+        Surface::new(space.clone(), space.clone(), points.collect())?.principal_curvatures_at(&0.0, &0.0)
+    };
+    let [along, across] = bowl(1e-9)?.directions.expect("the curvatures differ");
+    assert!((along.space[0].abs() - 1.0).abs() < 1e-9 && (across.space[1].abs() - 1.0).abs() < 1e-9);
+    assert_eq!((bowl(0.0)?.directions, bowl(1e-14)?.directions), (None, None));
+    Ok(())
+}

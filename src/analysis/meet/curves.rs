@@ -284,3 +284,23 @@ fn passage([p, q]: [Pair; 2], [r, s]: [Pair; 2]) -> Passage {
 fn distance(a: Pair, b: Pair) -> f64 {
     (a[0] - b[0]).abs().max((a[1] - b[1]).abs())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::space::SplineSpace;
+
+    #[test]
+    fn a_curve_that_closes_up_to_rounding_is_met_once_at_its_seam() {
+        let polygon = |points: &[[f64; 2]]| {
+            let knots = (0..points.len()).map(|i| i as f64);
+            let points = points.iter().copied().map(Into::into).collect();
+            Curve::new(SplineSpace::clamped(1, knots).unwrap(), points).unwrap()
+        };
+        // 0.1 + 0.2 is above 0.3.
+        let triangle = polygon(&[[0.1 + 0.2, 0.0], [1.0, 1.0], [-1.0, 1.0], [0.3, 0.0]]);
+        let line = polygon(&[[-0.7, 0.0], [1.3, 0.0]]);
+        let found = triangle.intersections(&line, &1e-9).unwrap();
+        assert_eq!((found.meetings.len(), found.meetings[0].passage), (1, Passage::Touches), "{found:?}");
+    }
+}
