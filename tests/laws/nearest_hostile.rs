@@ -2,7 +2,7 @@
 
 use nalgebra::{SVector, vector};
 use std::time::Instant;
-use symspline::{Curve, Error, NurbsCurve, Result, Spline, SplineSpace, Surface, Weighted};
+use symspline::{Curve, Error, NurbsCurve, NurbsSurface, Result, Spline, SplineSpace, Surface, Weighted};
 
 /// Runs at most this long, in seconds; tests are little optimised.
 const SOON: f64 = 3.0;
@@ -219,6 +219,84 @@ fn degenerate_surfaces() -> Result<()> {
         let nearest = soon(|| folded.nearest(&point, 1e-6))?;
         let exact = if point[0] > 3.0 { point - vector![3.0, 0.0, 0.0] } else { vector![0.0, point[1], 0.0] };
         assert!((nearest.feet[0].distance - exact.norm()).abs() <= 1e-6 && nearest.bound <= exact.norm());
+    }
+    Ok(())
+}
+
+/// In one dimension, where all is about as near: what a proof leaves out, by rounding or to be quick, shows in the last
+/// digits.
+#[test]
+fn nearly_constant_distances() -> Result<()> {
+    let mut state = 1_u64;
+    let mut next = || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 11) as f64 / (1_u64 << 53) as f64
+    };
+    let (four, two) = (SplineSpace::bezier(4, 0.0, 1.0)?, SplineSpace::bezier(2, 0.0, 1.0)?);
+    let origin = vector![0.0];
+    for round in 0..160 {
+        let height = [1e-3, 1e-9, 1e-10, 3e-11, 1e-11, 3e-12, 1e-12, 1e-13][round % 8];
+        let mut points =
+            |count: usize| -> Vec<_> { (0..count).map(|_| vector![1.0 + height * next()]).collect() };
+        let (row, net) = (points(5), points(9));
+        let spread = 6.0 * next();
+        let weights = (0..9).map(|_| 10_f64.powf(-spread * next())).collect::<Vec<_>>();
+        let c = Curve::new(four.clone(), row.clone())?;
+        let rational = NurbsCurve::new(four.clone(), row, weights[..5].to_vec())?;
+        let s = Surface::new(two.clone(), two.clone(), net.clone())?;
+        let uneven = NurbsSurface::new(two.clone(), two.clone(), net, weights)?;
+        let t = |i: i32| f64::from(i) / 1000.0;
+        let line = |at: &dyn Fn(f64) -> f64| (0..=1000).map(|i| at(t(i))).fold(f64::INFINITY, f64::min);
+        let pairs = || (0..=40).flat_map(|i| (0..=40).map(move |j| (t(25 * i), t(25 * j))));
+        let square =
+            |at: &dyn Fn(f64, f64) -> f64| pairs().map(|(u, v)| at(u, v)).fold(f64::INFINITY, f64::min);
+        let told = [
+            (c.nearest(&origin, 1.0)?.bound, c.projector()?.foot(&origin)?.distance),
+            (rational.nearest(&origin, 1.0)?.bound, rational.projector()?.foot(&origin)?.distance),
+            (s.nearest(&origin, 1.0)?.bound, s.projector()?.foot(&origin)?.distance),
+            (uneven.nearest(&origin, 1.0)?.bound, uneven.projector()?.foot(&origin)?.distance),
+        ];
+        let sampled = [
+            line(&|x| c.at(&x).expect("inside")[0]),
+            line(&|x| rational.at(&x).expect("inside")[0]),
+            square(&|u, v| s.at(&u, &v).expect("inside")[0]),
+            square(&|u, v| uneven.at(&u, &v).expect("inside")[0]),
+        ];
+        for ((bound, distance), sampled) in told.into_iter().zip(sampled) {
+            assert!(bound <= sampled, "{round}: {:e}", bound - sampled);
+            assert!(distance <= sampled + 3e-11 && distance - bound <= 4e-11, "{round}: {distance} {bound}");
+        }
+    }
+    Ok(())
+}
+
+/// A closed curve that jumps at its seam: the end is not the start.
+#[test]
+fn torn_seams() -> Result<()> {
+    let space = SplineSpace::periodic(1, [0.0, 0.0, 1.0], 2.0)?;
+    let c = Curve::new(space.clone(), (0..space.dim()).map(wave).collect())?;
+    let (a, b) = (c.at(&0.0)?, c.at_left(&2.0)?);
+    assert!((a - b).norm() > 0.1);
+    assert_eq!(c.nearest(&a, 1e-9)?.feet[0].parameter, 0.0);
+    assert_eq!(c.nearest(&b, 1e-9)?.feet[0].parameter, 2.0);
+    Ok(())
+}
+
+/// A plane folded over itself, in a unit of billions: next to an edge that is a point the way to the foot is a long and
+/// narrow valley.
+#[test]
+fn narrow_valleys() -> Result<()> {
+    let (three, two) =
+        (SplineSpace::bezier(3, 0.0, 1.0)?, SplineSpace::new(2, [0.0, 0.0, 0.0, 1.0, 2.0, 2.0])?);
+    let mut points = vec![vector![0.0, 0.0, 0.0]; 12];
+    (points[0], points[4], points[11]) =
+        (vector![0.0, 0.0, 1e-6], vector![0.0, 0.0, 2e9], vector![0.0, -7e9, 0.0]);
+    let s = Surface::new(three, two, points)?;
+    let projector = s.projector()?;
+    for (u, v) in [(0.147_226_770_855_133_28, 0.038_485_290_602_084_006), (0.1, 0.05), (0.2, 0.03)] {
+        let point = s.at(&u, &v)?;
+        assert!(soon(|| projector.foot(&point))?.distance <= 7e9 * 2_f64.powi(-36));
+        assert!(soon(|| projector.nearest(&point, 0.5))?.feet[0].distance <= 0.5);
     }
     Ok(())
 }

@@ -100,6 +100,14 @@ mod tests {
         }
     }
 
+    #[test]
+    fn the_bound_is_that_of_the_theorem() {
+        // On half the interval length: 32 / 15 with ρ = 1.5 and n = 4, where 1 - ρ⁻² = 5 / 9.
+        let one = per_ellipse(|e| if ELLIPSES[e] == 1.5 { 1.0 } else { f64::INFINITY });
+        let expected = 32.0 / 15.0 * 9.0 / 5.0 * (2.0_f64 / 3.0).powi(8);
+        assert!((RULES[0].error(&one) / expected - 1.0).abs() < 1e-14);
+    }
+
     /// `1 / (c - z)` on `[-1, 1]` is `1 / (c - r)` at most on the ellipse, and its integral is a logarithm.
     #[test]
     fn the_error_is_below_its_bound() {

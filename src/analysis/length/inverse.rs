@@ -38,12 +38,12 @@ impl<const N: usize> ArcLength<N> {
         let index = self.starts.partition_point(|start| *start <= s).saturating_sub(1);
         let part = &self.parts[index];
         if part.length == 0.0 {
-            return part.start;
+            return part.global(0.0);
         }
         let whole = part.length / part.unit;
         let target = ((s - self.starts[index]) / part.unit).clamp(0.0, whole);
         if target == 0.0 || target == whole {
-            return if target == 0.0 { part.start } else { part.end };
+            return part.global(if target == 0.0 { 0.0 } else { 1.0 });
         }
         let (mut low, mut high, mut t) = (0.0_f64, 1.0_f64, target / whole);
         for _ in 0..STEPS {
@@ -63,6 +63,45 @@ impl<const N: usize> ArcLength<N> {
             }
             t = next;
         }
-        (part.start + (part.end - part.start) * t).clamp(part.start, part.end)
+        part.global(t)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::error::Result;
+    use crate::rational::spline::NurbsCurve;
+    use crate::space::SplineSpace;
+    use crate::spline::Curve;
+    use nalgebra::vector;
+
+    /// The span has nine parameters, more than half of the length is before the second one, in many parts.
+    #[test]
+    fn spans_of_a_few_parameters() -> Result<()> {
+        let (a, b) = (-1e6, -1e6 + 9.0 * 1e-10);
+        let points: Vec<_> =
+            (0..7).map(|i| vector![(1.3 * f64::from(i)).sin(), (2.1 * f64::from(i)).cos()]).collect();
+        let weights = (0..7).map(|i| 1e-3_f64.powi(i)).rev().collect::<Vec<_>>();
+        let curve = NurbsCurve::new(SplineSpace::bezier(6, a, b)?, points, weights)?;
+        for curve in [curve.reversed()?, curve] {
+            let length = curve.arc_length(&1e-10)?;
+            assert_eq!((length.at(&a)?, length.at(&b)?), (0.0, length.total()));
+            for s in length.evenly(20)? {
+                assert!((a..=b).contains(&s));
+            }
+        }
+        Ok(())
+    }
+
+    #[test]
+    fn bounds_count_rounding() -> Result<()> {
+        // Of the data, of the pieces and of the sum, for a line; of the origin, for one that is far away.
+        let line = Curve::new(SplineSpace::bezier(1, 0.0, 1.0)?, vec![vector![0.0, 0.0], vector![3.0, 4.0]])?;
+        assert!(line.arc_length(&1e-3)?.bound() >= 16.5 * UNIT * 5.0);
+        let far =
+            Curve::new(SplineSpace::bezier(1, 0.0, 1.0)?, vec![vector![1e9, 0.0], vector![1e9 + 1.0, 0.0]])?;
+        assert!(NurbsCurve::from_polynomial(&far)?.arc_length(&1e-3)?.bound() >= UNIT * 1e9);
+        Ok(())
     }
 }

@@ -19,10 +19,12 @@ const PARTS: usize = 1 << 14;
 /// A part of a span.
 #[derive(Clone, Debug)]
 pub(super) struct Part<const N: usize> {
-    /// The parameter where it starts.
-    pub start: f64,
-    /// The parameter where it ends.
-    pub end: f64,
+    /// Start and end of its span.
+    pub ends: (f64, f64),
+    /// Where in the span it starts, which goes from 0 to 1.
+    pub from: f64,
+    /// What share of the span it is.
+    pub width: f64,
     pub piece: Piece<N>,
     /// The unit of lengths of the piece.
     pub unit: f64,
@@ -30,6 +32,20 @@ pub(super) struct Part<const N: usize> {
     pub rule: Option<usize>,
     /// The length, in units of the curve.
     pub length: f64,
+}
+
+impl<const N: usize> Part<N> {
+    /// The parameter at `t` from 0 to 1. In a short span many parts may have the same.
+    pub(super) fn global(&self, t: f64) -> f64 {
+        let ((a, b), s) = (self.ends, self.from + self.width * t);
+        if s == 1.0 { b } else { (a + (b - a) * s).clamp(a, b) }
+    }
+
+    /// Where `x` is, from 0 to 1 if it is in the part.
+    pub(super) fn local(&self, x: f64) -> f64 {
+        let (a, b) = self.ends;
+        ((x - a) / (b - a) - self.from) / self.width
+    }
 }
 
 /// The parts of a curve, in order.
@@ -65,7 +81,6 @@ pub(super) fn measure<const N: usize>(
         // What is of no account: near a place where the curve stands still there may be some fifty such parts.
         let floor = accuracy * (guess / 128.0 + mean / 128.0) / span.unit;
         let ends = span.ends;
-        let parameter = |s: f64| if s == 1.0 { ends.1 } else { ends.0 + (ends.1 - ends.0) * s };
         let mut off = span.rounding;
         let mut open = vec![Candidate { piece: span.piece, from: 0.0, width: 1.0, depth: 0 }];
         while let Some(Candidate { piece, from, width, depth }) = open.pop() {
@@ -80,8 +95,7 @@ pub(super) fn measure<const N: usize>(
                 continue;
             };
             off += error;
-            let (start, end) = (parameter(from), parameter(from + width));
-            parts.push(Part { start, end, piece, unit: span.unit, rule, length: length * span.unit });
+            parts.push(Part { ends, from, width, piece, unit: span.unit, rule, length: length * span.unit });
         }
         bound += off * span.unit;
     }

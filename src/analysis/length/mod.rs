@@ -180,9 +180,8 @@ impl<const N: usize> ArcLength<N> {
         if *x == b {
             return Ok(self.total);
         }
-        let part = self.parts.partition_point(|part| part.start <= *x) - 1;
-        let Part { start, end, .. } = self.parts[part];
-        Ok(self.within(part, (x - start) / (end - start)))
+        let part = self.parts.partition_point(|part| part.local(*x) >= 0.0) - 1;
+        Ok(self.within(part, self.parts[part].local(*x)))
     }
 
     /// The parameter up to which the curve has the length `s`.

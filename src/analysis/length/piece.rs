@@ -222,3 +222,37 @@ fn value<C: Coeff<f64>>(choose: &[f64], coeffs: &[C], s: f64) -> C {
     }
     sum
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::gauss::RADII;
+    use super::*;
+    use nalgebra::vector;
+
+    /// `|D|² = 1 + z² / 4` has the zeros `±2i`.
+    #[test]
+    fn zeros_of_the_speed_are_seen() {
+        let piece = Piece::Polynomial(vec![vector![1.0, -0.5], vector![1.0, 0.5]]);
+        let (most, speed) = piece.most(&Degree::new(2));
+        assert!((speed - 1.0).abs() < 1e-15);
+        for (most, r) in most.into_iter().zip(RADII.iter()) {
+            assert_eq!(most.is_finite(), *r < 2.0, "{r}");
+        }
+    }
+
+    #[test]
+    fn the_speed_stays_below_its_bound_beyond_the_ends() {
+        for light in [0.6, 1.0, 1.5] {
+            let lift = |x: f64, y: f64, weight: f64| Weighted { point: vector![x, y] * weight, weight };
+            let piece =
+                Piece::rational(vec![lift(0.0, 0.0, 1.0), lift(1.0, 0.1, light), lift(2.0, 0.0, 1.0)]);
+            let degree = Degree::new(2);
+            for (most, r) in piece.most(&degree).0.into_iter().zip(RADII.iter()) {
+                assert!(
+                    piece.speed(&degree, (1.0 + r) / 2.0) <= most
+                        && piece.speed(&degree, (1.0 - r) / 2.0) <= most
+                );
+            }
+        }
+    }
+}

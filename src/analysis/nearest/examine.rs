@@ -33,8 +33,8 @@ impl<const N: usize> Search<'_, N> {
             let products = if n > SQUARED { 0 } else { n * n / 2 };
             self.work += OVERHEAD + n * (part.degrees[0] + part.degrees[1] + 2) / 4 + products;
             let reach = self.meet(part);
-            if self.work >= self.descent {
-                self.descend();
+            if self.work > self.patience {
+                self.descend(part);
             }
             if n == 1 {
                 self.settle(part, None);

@@ -43,11 +43,13 @@ pub struct Foot<X, const N: usize> {
 /// All points of a curve or surface that are nearest to a given point, within an accuracy.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Nearest<X, const N: usize> {
-    /// The feet: local minima of the distance that are within the accuracy of the least, nearest first. There is at least one.
+    /// The feet: local minima of the distance that are within the accuracy of the least, nearest first. There is at
+    /// least one.
     pub feet: Vec<Foot<X, N>>,
-    /// Intervals of parameters, of surfaces rectangles from corner to corner, in which feet could not be told from each other,
-    /// most often because the distance is the same all along. Each has at most one foot in [`feet`](Self::feet), the nearest found.
-    /// From every parameter within the accuracy the distance descends to a foot or into one of these.
+    /// Intervals of parameters, of surfaces rectangles from corner to corner, in which feet could not be told from each
+    /// other, most often because the distance is the same all along. Each has at most one foot in [`feet`](Self::feet),
+    /// the nearest found. From every parameter within the accuracy the distance descends to a foot or into one of
+    /// these.
     pub along: Vec<(X, X)>,
     /// No point is nearer than this.
     pub bound: f64,

@@ -1,8 +1,8 @@
 //! How far a hull of points is from the origin.
 //!
-//! For any direction `d` the hull is no nearer than `min d · q / |d|`. A direction is found as [the method of Frank and Wolfe] does:
-//! from a point of the hull towards the one that stands out most against it, to the point of that segment next to the origin. Few
-//! steps do; a bound is right after every one.
+//! For any direction `d` the hull is no nearer than `min d · q / |d|`. A direction is found as [the method of Frank and
+//! Wolfe] does: from a point of the hull towards the one that stands out most against it, to the point of that segment
+//! next to the origin. Few steps do; a bound is right after every one.
 //!
 //! [the method of Frank and Wolfe]: https://en.wikipedia.org/wiki/Frank%E2%80%93Wolfe_algorithm
 
@@ -14,8 +14,8 @@ const STEPS: usize = 3;
 /// Squared lengths below this are lost in the range of numbers.
 const TINY: f64 = 1e-280;
 
-/// A number that no point of the hull of `points` is nearer to the origin than, at most `enough` needed, starting at the point `near` of
-/// the hull. Up to rounding of a few units of the largest point.
+/// A number that no point of the hull of `points` is nearer to the origin than, at most `enough` needed, starting at
+/// the point `near` of the hull. Up to rounding of a few units of the largest point.
 #[inline]
 pub(super) fn distance<const N: usize>(
     points: &[SVector<f64, N>],

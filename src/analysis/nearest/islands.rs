@@ -1,8 +1,8 @@
-//! Which of the parts found belong together: neighbours may share a foot at their border, and a place where the distance stays the
-//! same is found in many parts.
+//! Which of the parts found belong together: neighbours may share a foot at their border, and a place where the
+//! distance stays the same is found in many parts.
 //!
-//! Two parts belong together if the foot of one lies in the other, since from there the distance descends to the foot of
-//! the other; or if both stay near as a whole and touch. Not so across a knot where the curve jumps, unless the feet
+//! Two parts belong together if the foot of one lies in the other, since from there the distance descends to the foot
+//! of the other; or if both stay near as a whole and touch. Not so across a knot where the curve jumps, unless the feet
 //! are the same point.
 
 use crate::analysis::nearest::pieces::{Axis, Sides};

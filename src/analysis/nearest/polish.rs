@@ -1,4 +1,5 @@
-//! The one nearest point of a piece on which `G` is convex, by Newton's method, and how much nearer a point could be after all.
+//! The one nearest point of a piece on which `G` is convex, by Newton's method, and how much nearer a point could be
+//! after all.
 //!
 //! With second derivatives of at least `m` in all directions, and slopes `g` at `t`, on the unit square
 //!
@@ -13,9 +14,6 @@ use nalgebra::SVector;
 
 /// How many points are looked at at most.
 const STEPS: usize = 24;
-
-/// How many points are looked at on the way downhill at most.
-const DESCENTS: usize = 64;
 
 /// After a step as small as this the next one would be lost in rounding: the error is squared.
 const SMALL: f64 = 1e-9;
@@ -51,8 +49,6 @@ struct Local {
     square: f64,
     slopes: [f64; 2],
     seconds: [f64; 3],
-    /// The second derivatives but for those of the points: never negative, if there are no weights.
-    squares: [f64; 3],
     /// What slopes may be off by.
     noise: [f64; 2],
 }
@@ -96,29 +92,6 @@ impl<const N: usize> Patch<'_, N> {
         Some(Found { at: best.at, distance: best.square.sqrt(), lower })
     }
 
-    /// A point no farther than the one at `start`, downhill from there, and how far it is: by Gauss's and Newton's method,
-    /// damped as Levenberg and Marquardt do. Nothing is promised of it, and the piece need not be convex.
-    pub(super) fn descended(&self, start: [f64; 2], rooms: &mut Rooms<N>) -> ([f64; 2], f64) {
-        let (mut best, mut damping) = (self.local(start, 0.0, rooms), 1e-3);
-        for _ in 0..DESCENTS {
-            let [uu, uv, vv] = best.squares;
-            let seconds = [uu + damping * uu, uv, vv + damping * vv];
-            let next = self.step(&Local { seconds, ..best });
-            if next == best.at {
-                break;
-            }
-            let here = self.local(next, 0.0, rooms);
-            if here.square < best.square {
-                (best, damping) = (here, damping * 0.1);
-            } else if damping < 1e9 {
-                damping *= 10.0;
-            } else {
-                break;
-            }
-        }
-        (best.at, best.square.sqrt())
-    }
-
     fn local(&self, at: [f64; 2], noise: f64, rooms: &mut Rooms<N>) -> Local {
         let Jet { value, first, second } = rooms.points.jet(self.points, self.degrees, at);
         let plain = value.norm_squared();
@@ -128,10 +101,9 @@ impl<const N: usize> Patch<'_, N> {
             let (i, j) = pair[k];
             2.0 * (first[i].dot(&first[j]) + value.dot(&second[k]))
         });
-        let squares = pair.map(|(i, j)| 2.0 * first[i].dot(&first[j]));
         let noise = [0, 1].map(|i| 2.0 * noise * first[i].norm());
         if self.weights.is_empty() {
-            return Local { at, square: plain, slopes, seconds, squares, noise };
+            return Local { at, square: plain, slopes, seconds, noise };
         }
         let weight = rooms.weights.jet(self.weights, self.degrees, at);
         let square = plain / (weight.value * weight.value);
@@ -142,8 +114,7 @@ impl<const N: usize> Patch<'_, N> {
             seconds[k] - twice * (weight.first[i] * weight.first[j] + weight.value * weight.second[k])
         };
         let noise = [0, 1].map(|i| noise[i] * (1.0 + square) + twice * f64::EPSILON * weight.first[i].abs());
-        let seconds = [second(0), second(1), second(2)];
-        Local { at, square, slopes: [slope(0), slope(1)], seconds, squares, noise }
+        Local { at, square, slopes: [slope(0), slope(1)], seconds: [second(0), second(1), second(2)], noise }
     }
 
     /// Where Newton's method goes from here, inside the square.
@@ -181,5 +152,29 @@ impl<const N: usize> Patch<'_, N> {
         };
         let (slope, noise) = (local.slopes[axis], local.noise[axis]);
         depth(slope - noise).max(depth(slope + noise))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::vector;
+
+    /// `g τ + m τ² / 2` is `-g² / 2m` at least, within the interval.
+    #[test]
+    fn slopes_that_are_left_are_counted() {
+        let points = [vector![0.0], vector![1.0]];
+        let patch = Patch { points: &points, weights: &[], degrees: [1, 0] };
+        let local = |slope: f64, noise: f64| Local {
+            at: [0.5, 0.0],
+            square: 1.0,
+            slopes: [slope, 9.0],
+            seconds: [0.0; 3],
+            noise: [noise, 9.0],
+        };
+        assert_eq!(patch.missing(&local(1.0, 0.0), 0, 4.0), 0.125);
+        assert_eq!(patch.missing(&local(-1.0, 0.5), 0, 4.0), 0.28125);
+        assert_eq!(patch.missing(&local(8.0, 0.0), 0, 4.0), 3.5);
+        assert_eq!(patch.missing(&local(1.0, 0.0), 1, 4.0), 0.0);
     }
 }

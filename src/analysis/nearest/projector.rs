@@ -74,9 +74,10 @@ impl<X: Place, const N: usize> Projector<X, N> {
         Ok(Self { ground: Ground { pieces, tree, squaring, slopes }, parameter: PhantomData })
     }
 
-    /// A foot of `point`: no point is nearer by more than `2^-36` times the largest coordinates, of the spline and of `point`.
+    /// A foot of `point`: no point is nearer by more than `2^-36` times the largest coordinates, of the spline and of
+    /// `point`.
     ///
-    /// Of several feet it is any one.
+    /// Of several feet it is any one. After very much work, which takes adversaries, it may be farther.
     ///
     /// # Errors
     /// [`Error::NotFinite`] for a point that is not finite, or farther away than numbers go.
@@ -106,16 +107,16 @@ impl<X: Place, const N: usize> Projector<X, N> {
 
     /// All feet of `point` within `accuracy` of the least distance, and a bound of that.
     ///
-    /// - `feet[0].distance - bound <= accuracy`, if that is above rounding: about `4 (p + N)` units in the last place of the largest coordinate,
-    ///   for surfaces with `p + q`. With spans so short that parameters are too coarse, or after too much work, which
-    ///   takes adversaries, it may be more; the bound holds.
-    /// - Feet are local minima of the distance, corners, both sides of jumps and ends of the domain included; at the seam of a periodic
-    ///   spline there is one, at its start.
+    /// - `feet[0].distance - bound <= accuracy`, if that is above rounding: about `4 (p + N)` units in the last place
+    ///   of the largest coordinate, for surfaces with `p + q`. With spans so short that parameters are too coarse, or
+    ///   after too much work, which takes adversaries, it may be more; the bound holds.
+    /// - Feet are local minima of the distance, corners, both sides of jumps and ends of the domain included; at the
+    ///   seam of a periodic spline there is one, at its start.
     /// - Where there are no single feet, [`Nearest::along`] tells where they are.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] for a point that is not finite, or farther away than numbers go; [`Error::BadTolerance`] unless the
-    /// accuracy is positive and finite.
+    /// [`Error::NotFinite`] for a point that is not finite, or farther away than numbers go; [`Error::BadTolerance`]
+    /// unless the accuracy is positive and finite.
     ///
     /// # Examples
     /// ```
@@ -145,10 +146,12 @@ impl<X: Place, const N: usize> Projector<X, N> {
         Ok(Nearest { feet, along, bound })
     }
 
-    /// The parameters at which the spline passes within `tolerance` of `point`: of local minima of the distance, nearest first.
+    /// The parameters at which the spline passes within `tolerance` of `point`: of local minima of the distance,
+    /// nearest first.
     ///
     /// # Errors
-    /// [`Error::NotFinite`], [`Error::BadTolerance`] as [`nearest`](Self::nearest); [`Error::TooFar`] if it does not come that near.
+    /// [`Error::NotFinite`], [`Error::BadTolerance`] as [`nearest`](Self::nearest); [`Error::TooFar`] if it does not
+    /// come that near.
     ///
     /// # Examples
     /// ```

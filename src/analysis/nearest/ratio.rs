@@ -4,8 +4,9 @@
 //! (a / b)' = (a' b - a b') / b²
 //! ```
 //!
-//! The numerator says whether the distance grows whatever the distance is, which the gap `G` says for one distance only. On a surface of
-//! revolution it vanishes about the axis. It costs more, so it is the last resort, in low degrees.
+//! The numerator says whether the distance grows whatever the distance is, which the gap `G` says for one distance
+//! only. On a surface of revolution it vanishes about the axis. It costs more, so it is the last resort, in low
+//! degrees.
 
 use crate::analysis::nearest::split::count;
 use crate::bernstein::binomials;
@@ -26,7 +27,8 @@ impl Slopes {
         (highest <= HIGHEST).then(|| Self { rows: (0..=4 * highest).map(binomials).collect() })
     }
 
-    /// Least and greatest coefficient of `a' b - a b'`, the derivatives along `axis`, of two polynomials of the same degrees.
+    /// Least and greatest coefficient of `a' b - a b'`, the derivatives along `axis`, of two polynomials of the same
+    /// degrees.
     pub(super) fn range(&self, a: &[f64], b: &[f64], degrees: [usize; 2], axis: usize) -> (f64, f64) {
         let mut lower = degrees;
         lower[axis] -= 1;

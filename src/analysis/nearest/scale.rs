@@ -7,8 +7,8 @@ pub(super) struct Scale {
 }
 
 impl Scale {
-    /// The scale in which `size`, which is not negative, is at least 1/2 and less than 1, or below that if it is not a normal number; that
-    /// of zero leaves numbers as they are.
+    /// The scale in which `size`, which is not negative, is at least 1/2 and less than 1, or below that if it is not a
+    /// normal number; that of zero leaves numbers as they are.
     pub(super) fn of(size: f64) -> Self {
         let exponent = match (size.to_bits() >> 52) as i32 {
             // Zero and the numbers below the normal ones.

@@ -1,7 +1,8 @@
-//! Branch and bound over the pieces: the least distance, or all pieces of the curve or surface that come as near as a given distance.
+//! Branch and bound over the pieces: the least distance, or all pieces of the curve or surface that come as near as a
+//! given distance.
 
 use crate::analysis::nearest::pieces::{Pieces, Sides};
-use crate::analysis::nearest::polish::{Found, Patch, Rooms};
+use crate::analysis::nearest::polish::{Found, Rooms};
 use crate::analysis::nearest::ratio::Slopes;
 use crate::analysis::nearest::split::{count, halve};
 use crate::analysis::nearest::square::Squaring;
@@ -10,6 +11,9 @@ use nalgebra::SVector;
 
 /// How deep the tree may be, and more.
 const DEPTH: usize = 96;
+
+/// After how much work the first descent is made, the next after twice as much.
+const PATIENCE: usize = 1 << 15;
 
 /// A part of a piece.
 #[derive(Clone, Debug)]
@@ -105,8 +109,8 @@ pub(super) struct Search<'a, const N: usize> {
     /// If all parts as near as this are wanted: those found.
     pub(super) sites: Option<Vec<Site>>,
     pub(super) work: usize,
-    /// After so much work the best point is looked for downhill.
-    pub(super) descent: usize,
+    /// At how much work the best point is brought down next.
+    pub(super) patience: usize,
 }
 
 /// What is to be done with a part.
@@ -157,7 +161,7 @@ impl<'a, const N: usize> Search<'a, N> {
     ) -> Self {
         let best = Spot { root: 0, at: [0.0; 2], distance: f64::INFINITY };
         let (bound, work, epsilon) = (f64::INFINITY, 0, epsilon::<N>(ground.pieces.degrees));
-        Self { ground, room, point, epsilon, accuracy, cut, best, bound, sites, work, descent: 1 << 14 }
+        Self { ground, room, point, epsilon, accuracy, cut, best, bound, sites, work, patience: PATIENCE }
     }
 
     fn run(&mut self) {
@@ -221,27 +225,6 @@ impl<'a, const N: usize> Search<'a, N> {
                     }
                 }
             }
-        }
-    }
-
-    /// Goes downhill from the best point met. Where halving alone comes near slowly, as in a long valley, a better point spares the rest.
-    pub(super) fn descend(&mut self) {
-        self.descent *= 2;
-        if self.sites.is_some() || !self.best.distance.is_finite() {
-            return;
-        }
-        let (pieces, root) = (&self.ground.pieces, self.best.root);
-        let n = count(pieces.degrees);
-        let own = root * n..(root + 1) * n;
-        let weights = pieces.weights.get(own.clone()).unwrap_or(&[]);
-        let weight = |k: usize| weights.get(k).copied().unwrap_or(1.0);
-        let points: Vec<_> =
-            pieces.points[own].iter().enumerate().map(|(k, c)| c - self.point * weight(k)).collect();
-        let patch = Patch { points: &points, weights, degrees: pieces.degrees };
-        let (at, distance) = patch.descended(self.best.at, &mut self.room.rooms);
-        if distance < self.best.distance {
-            self.best = Spot { root, at, distance };
-            self.cut = distance - 0.5 * self.accuracy;
         }
     }
 

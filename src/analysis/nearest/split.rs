@@ -8,8 +8,8 @@ pub(super) fn count(degrees: [usize; 2]) -> usize {
     (degrees[0] + 1) * (degrees[1] + 1)
 }
 
-/// Halves the polynomial at the end of `coeffs`, which begins at `first`, in direction `axis`. One half replaces it, the other is
-/// put behind it: the upper half if `upper_last`, else the lower.
+/// Halves the polynomial at the end of `coeffs`, which begins at `first`, in direction `axis`. One half replaces it,
+/// the other is put behind it: the upper half if `upper_last`, else the lower.
 pub(super) fn halve<C: Coeff<f64>>(
     coeffs: &mut Vec<C>,
     first: usize,

@@ -51,7 +51,8 @@ impl Squaring {
         Self { factors: degrees.map(|p| [Factors::new(0), Factors::new(p)]) }
     }
 
-    /// The Bernstein coefficients of the square of the polynomial with `coeffs` under the pairing `dot`, into `squares`.
+    /// The Bernstein coefficients of the square of the polynomial with `coeffs` under the pairing `dot`, into
+    /// `squares`.
     pub(super) fn square<C: Coeff<f64>>(
         &self,
         coeffs: &[C],
