@@ -16,6 +16,7 @@ mod dot;
 mod divide;
 mod polar;
 mod modular;
+pub(crate) mod coprime;
 mod reconstruct;
 mod lift;
 mod solve;

@@ -30,7 +30,7 @@ impl Prime {
 
     /// `x mod p` for `x < 2^60`, where `p` is above `2^29`.
     #[inline]
-    fn remainder(self, x: u64) -> u64 {
+    pub(super) fn remainder(self, x: u64) -> u64 {
         // The quotient is too small by two at most: both factors are rounded down.
         let quotient = ((x >> 29) * self.inverse) >> 31;
         let rest = x - quotient * self.p;
@@ -38,7 +38,8 @@ impl Prime {
         rest.min(rest.wrapping_sub(self.p))
     }
 
-    fn power(self, mut base: u64, mut exponent: u64) -> u64 {
+    /// `base^exponent mod p`.
+    pub(super) fn power(self, mut base: u64, mut exponent: u64) -> u64 {
         let mut power = 1;
         while exponent > 0 {
             if exponent % 2 == 1 {

@@ -24,6 +24,9 @@ pub(super) fn isolation<T: Solvable>(polynomial: &Polynomial<T>) -> Option<Isola
     let mut factor = polynomial.without_end_roots();
     match bisect(&factor, T::EXACT.then_some(DEEP)) {
         Some(inside) => roots.extend(inside),
+        None if T::has_simple_roots(&factor.powers()) => {
+            roots.extend(bisect(&factor, None).expect("there is no limit to the depth"));
+        }
         None => {
             let parts = square_free_parts(&factor);
             let inside = bisect(&parts[0], None).expect("there is no limit to the depth");

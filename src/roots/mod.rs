@@ -82,6 +82,13 @@ pub trait Solvable: Scalar {
         polynomial.linear_root().map_or(RootValue::Enclosed(start, end), RootValue::Exact)
     }
 
+    /// Whether the polynomial with these coefficients of powers, the lowest first, is known to have simple roots only: a quick
+    /// answer that saves the search for multiple ones.
+    fn has_simple_roots(powers: &[Self]) -> bool {
+        let _ = powers;
+        false
+    }
+
     /// Multiplies by a common positive factor that makes the numbers small.
     fn tidy(numbers: &mut [Self]) {
         let _ = numbers;

@@ -6,6 +6,7 @@
 //! secants that double the digits gained as long as they are right.
 
 use crate::exact::Q;
+use crate::exact::coprime::has_simple_roots;
 use crate::roots::polynomial::Polynomial;
 use crate::roots::{RootValue, Solvable};
 use crate::scalar::Scalar;
@@ -17,6 +18,10 @@ impl Solvable for Q {
     fn root(polynomial: &Polynomial<Self>, start: Self, end: Self) -> RootValue<Self> {
         let exact = polynomial.linear_root().or_else(|| rational_root(polynomial, &start, &end));
         exact.map_or(RootValue::Enclosed(start, end), RootValue::Exact)
+    }
+
+    fn has_simple_roots(powers: &[Self]) -> bool {
+        has_simple_roots(powers)
     }
 
     fn tidy(numbers: &mut [Self]) {
