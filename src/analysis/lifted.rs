@@ -9,10 +9,11 @@
 //! E = (3 w' B + w B') |D|² - 3 w B (D·D')           κ' |D|⁵ = w² E,   in space κ κ' |D|⁸ = w⁵ B·E
 //! ```
 //!
+//! In Bernstein form these are made with the degrees they have, not with those that the factors would give.
+//!
 //! Polynomial curves have no weights: `D = P'`, `B = P' × P''`, `E = B' |P'|² - 3 B (P'·P'')`. In the plane `B` and `E`
 //! are numbers; here they are vectors across the plane, so that both are one text.
 
-use crate::analysis::ball::Ball;
 use crate::analysis::pieces::Pieces;
 use crate::coeff::Coeff;
 use crate::error::Result;
@@ -22,7 +23,6 @@ use crate::space::SplineSpace;
 use crate::spline::{Curve, Function, Spline};
 use crate::vector::dot;
 use nalgebra::SVector;
-use num_traits::{One, Zero};
 use std::sync::Arc;
 
 /// Points and weights of a curve, which are splines of one space.
@@ -69,15 +69,20 @@ impl<T: Scalar, const N: usize> Lifted<T, N> {
         Ok(Lifted { points: window(&self.points, k, convert)?, weights })
     }
 
-    /// Points and weights between the knots, of degree `order` at least: the order of the highest derivative that is
-    /// used.
+    /// Points and weights between the knots; where there are weights of degree `order` at least, the order of the highest
+    /// derivative that is used.
     ///
     /// # Errors
     /// [`Error::TooLarge`](crate::Error::TooLarge).
     pub(crate) fn motion(&self, order: usize) -> Result<Motion<T, N>> {
         let ends: Arc<[T]> = self.space().ends().into();
-        let weights = self.weights.as_ref().map(|weights| derivatives(weights, &ends, order)).transpose()?;
-        Ok(Motion { points: derivatives(&self.points, &ends, order)?, weights })
+        let mut points = Pieces::of(&self.points, &ends)?;
+        let Some(weights) = &self.weights else { return Ok(Motion { points, weights: None }) };
+        let mut weights = Pieces::of(weights, &ends)?;
+        while points.degree() < order.min(2) {
+            (points, weights) = (points.elevated(), weights.elevated());
+        }
+        Ok(Motion { points, weights: Some(weights) })
     }
 }
 
@@ -106,27 +111,11 @@ fn window<T: Scalar, U: Scalar, C: Coeff<T>>(
     Spline::new(SplineSpace::new(p, knots)?, coeffs)
 }
 
-/// The pieces of a spline and of its first three derivatives, of degree `order` at least.
-fn derivatives<T: Scalar, C: Coeff<T>>(
-    spline: &Spline<T, C>,
-    ends: &Arc<[T]>,
-    order: usize,
-) -> Result<[Pieces<T, C>; 4]> {
-    let mut value = Pieces::of(spline, ends)?;
-    while value.degree() < order {
-        value = value.elevated();
-    }
-    let first = value.derivative();
-    let second = first.derivative();
-    let third = second.derivative();
-    Ok([value, first, second, third])
-}
-
-/// Points and weights, each with its first three derivatives, between knots.
+/// Points and weights between knots.
 #[derive(Debug)]
 pub(crate) struct Motion<T, const N: usize> {
-    points: [Pieces<T, SVector<T, N>>; 4],
-    weights: Option<[Pieces<T>; 4]>,
+    points: Pieces<T, SVector<T, N>>,
+    weights: Option<Pieces<T>>,
 }
 
 /// A vector across the plane, or of space.
@@ -135,31 +124,32 @@ pub(crate) type Across<T> = SVector<T, 3>;
 impl<T: Scalar, const N: usize> Motion<T, N> {
     /// The weighted points.
     pub(crate) fn points(&self) -> &Pieces<T, SVector<T, N>> {
-        &self.points[0]
+        &self.points
     }
 
     /// The weights, if there are any.
     pub(crate) fn weights(&self) -> Option<&Pieces<T>> {
-        self.weights.as_ref().map(|weights| &weights[0])
+        self.weights.as_ref()
     }
 
     /// `P - w q`: from a point to the curve, times the weight.
     pub(crate) fn away_from(&self, point: &SVector<T, N>) -> Pieces<T, SVector<T, N>> {
-        match self.weights() {
-            Some(weights) => self.points().plus(-1, &weights.map(|weight| point.map(|x| x * weight))),
-            None => self.points().map(|c| c - point),
+        match &self.weights {
+            Some(weights) => self.points.plus(-1, &weights.map(|weight| point.map(|x| x * weight))),
+            None => self.points.map(|c| c - point),
         }
     }
 
-    /// `D`.
+    /// `D`, of degree `2p - 2`: with the two polynomials of degree `p - 1` that the algorithm of de Casteljau blends last,
+    /// `D = p (P_1 w_0 - P_0 w_1)` for the local parameter.
     pub(crate) fn direction(&self) -> Result<Pieces<T, SVector<T, N>>> {
-        self.turned(1)
-    }
-
-    /// `P^(k) w - P w^(k)`: of order 1 it is `D`, of order 2 its derivative.
-    fn turned(&self, k: usize) -> Result<Pieces<T, SVector<T, N>>> {
-        let Some(weights) = &self.weights else { return Ok(self.points[k].clone()) };
-        Ok(weights[0].product(&self.points[k])?.plus(-1, &weights[k].product(&self.points[0])?))
+        let Some(weights) = &self.weights else { return Ok(self.points.derivative()) };
+        if self.points.degree() == 0 {
+            return Ok(self.points.derivative());
+        }
+        let [a, b] = [0, 1].map(|j| self.points.inner(1, j));
+        let [u, v] = [0, 1].map(|j| weights.inner(1, j));
+        Ok(u.product(&b)?.plus(-1, &v.product(&a)?).per_length(self.points.degree() as i64, 1))
     }
 
     /// `|D|²`.
@@ -168,68 +158,39 @@ impl<T: Scalar, const N: usize> Motion<T, N> {
         direction.times(&direction, dot)
     }
 
-    /// `B`.
+    /// `B`, of degree `3p - 6`: with the three polynomials of degree `p - 2` that the algorithm of de Casteljau blends in its
+    /// last two steps, `B = p² (p - 1) (w_0 P_1×P_2 - w_1 P_0×P_2 + w_2 P_0×P_1)` for the local parameter.
     pub(crate) fn bend(&self) -> Result<Pieces<T, Across<T>>> {
-        self.bend_with(2)
-    }
-
-    /// `w P'×P^(k) - w' P×P^(k) + w^(k) P×P'`: with `k = 2` it is `B`, with `k = 3` its derivative.
-    fn bend_with(&self, k: usize) -> Result<Pieces<T, Across<T>>> {
-        let [point, first, ..] = &self.points;
-        let bend = first.times(&self.points[k], wedge)?;
-        let Some([weight, slope, ..]) = &self.weights else { return Ok(bend) };
-        let weights = self.weights.as_ref().map(|weights| &weights[k]).expect("there are weights");
-        let turned = slope.product(&point.times(&self.points[k], wedge)?)?;
-        Ok(weight.product(&bend)?.plus(-1, &turned).plus(1, &weights.product(&point.times(first, wedge)?)?))
+        let Some(weights) = &self.weights else {
+            let first = self.points.derivative();
+            return first.times(&first.derivative(), wedge);
+        };
+        let p = self.points.degree() as i64;
+        let [a, b, c] = [0, 1, 2].map(|j| self.points.inner(2, j));
+        let [u, v, w] = [0, 1, 2].map(|j| weights.inner(2, j));
+        let (first, second) = (u.product(&b.times(&c, wedge)?)?, v.product(&a.times(&c, wedge)?)?);
+        let minors = first.plus(-1, &second).plus(1, &w.product(&a.times(&b, wedge)?)?);
+        Ok(minors.per_length(p * p * (p - 1), 3))
     }
 
     /// `E`, to which the slope of the curvature is proportional.
     pub(crate) fn slope(&self) -> Result<Pieces<T, Across<T>>> {
-        let (bend, bend_slope) = (self.bend()?, self.bend_with(3)?);
-        let (direction, turned) = (self.direction()?, self.turned(2)?);
-        let (speed, speed_slope) = (direction.times(&direction, dot)?, direction.times(&turned, dot)?);
-        let Some([weight, weight_slope, ..]) = &self.weights else {
+        let (bend, direction) = (self.bend()?, self.direction()?);
+        let (speed, bend_slope) = (direction.times(&direction, dot)?, bend.derivative());
+        let speed_slope = direction.times(&direction.derivative(), dot)?;
+        let Some(weight) = &self.weights else {
             return Ok(speed.product(&bend_slope)?.plus(-3, &speed_slope.product(&bend)?));
         };
-        let weighted = weight.product(&bend)?;
-        let rise = weight.product(&bend_slope)?.plus(3, &weight_slope.product(&bend)?);
-        Ok(speed.product(&rise)?.plus(-3, &speed_slope.product(&weighted)?))
+        let turned = weight.derivative().product(&bend)?.per_length(3, 0);
+        // A constant has a slope of zero, which has no degree to add.
+        let rise = if bend.degree() == 0 { turned } else { turned.plus(1, &weight.product(&bend_slope)?) };
+        Ok(speed.product(&rise)?.plus(-3, &speed_slope.product(&weight.product(&bend)?)?))
     }
 
-    /// `B · D''`, which is `w⁵ (C' × C'') · C'''`.
+    /// `B · D''`, which is `w⁵` times the determinant of the first three derivatives.
     pub(crate) fn twist(&self) -> Result<Pieces<T>> {
-        let mut third = self.turned(3)?;
-        if let Some([_, slope, second, _]) = &self.weights {
-            third =
-                third.plus(1, &slope.product(&self.points[2])?).plus(-1, &second.product(&self.points[1])?);
-        }
+        let third = self.direction()?.derivative().derivative();
         self.bend()?.times(&third, |across, c| dot(across, &padded(c)))
-    }
-}
-
-impl<const N: usize> Motion<Ball, N> {
-    /// The curvature at `x` of the curve of piece `i`, in the plane with its sign, and its derivative by arc length.
-    pub(crate) fn curvature(&self, i: usize, x: &Ball) -> [Ball; 2] {
-        let [p, first, second, third] = [0, 1, 2, 3].map(|k| self.points[k].at(i, x));
-        let one = [Ball::one(), Ball::zero(), Ball::zero(), Ball::zero()];
-        let [w, w1, w2, w3] =
-            self.weights.as_ref().map_or(one, |weights| [0, 1, 2, 3].map(|k| weights[k].at(i, x)));
-        let (direction, turned) = (first * w - p * w1, second * w - p * w2);
-        let bend_with = |change: &SVector<Ball, N>, w2| {
-            wedge(&first, change) * w - wedge(&p, change) * w1 + wedge(&p, &first) * w2
-        };
-        let (bend, bend_slope) = (bend_with(&second, w2), bend_with(&third, w3));
-        let (speed, three) = (dot(&direction, &direction), Ball::int(3));
-        let rise = bend * (w1 * three) + bend_slope * w;
-        let slope = rise * speed - bend * (w * three * dot(&direction, &turned));
-        let (bend, slope) = match N < 3 {
-            true => (bend[2], slope[2]),
-            false => {
-                let size = dot(&bend, &bend).root();
-                (size, dot(&bend, &slope) / size)
-            }
-        };
-        [w * w * w * bend / (speed * speed.root()), w * w * w * w * slope / (speed * speed * speed)]
     }
 }
 

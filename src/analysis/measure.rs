@@ -3,9 +3,15 @@
 use crate::analysis::ball::Ball;
 use crate::analysis::certify::Certified;
 use crate::analysis::events::Bounds;
-use crate::analysis::lifted::{Lifted, Motion};
+use crate::analysis::lifted::{Lifted, Motion, wedge};
+use crate::analysis::pieces::Pieces;
 use crate::analysis::zeros::Place;
+use crate::coeff::Coeff;
 use crate::roots::RootValue;
+use crate::scalar::Scalar;
+use crate::vector::dot;
+use nalgebra::SVector;
+use num_traits::{One, Zero};
 
 /// How many samples a span has.
 const SAMPLES: usize = 24;
@@ -21,15 +27,60 @@ pub struct Sample {
     pub slope: f64,
 }
 
+/// Points and weights, each with its first three derivatives, with bounds.
+struct Moving<const N: usize> {
+    points: [Pieces<Ball, SVector<Ball, N>>; 4],
+    weights: Option<[Pieces<Ball>; 4]>,
+}
+
+/// A function and its first three derivatives.
+fn derivatives<C: Coeff<Ball>>(value: &Pieces<Ball, C>) -> [Pieces<Ball, C>; 4] {
+    let first = value.derivative();
+    let second = first.derivative();
+    let third = second.derivative();
+    [value.clone(), first, second, third]
+}
+
+impl<const N: usize> Moving<N> {
+    fn new(motion: &Motion<Ball, N>) -> Self {
+        Self { points: derivatives(motion.points()), weights: motion.weights().map(derivatives) }
+    }
+
+    /// The curvature at `x` of the curve of piece `i`, in the plane with its sign, and its derivative by arc length.
+    fn curvature(&self, i: usize, x: &Ball) -> [Ball; 2] {
+        let [p, first, second, third] = [0, 1, 2, 3].map(|k| self.points[k].at(i, x));
+        let one = [Ball::one(), Ball::zero(), Ball::zero(), Ball::zero()];
+        let [w, w1, w2, w3] =
+            self.weights.as_ref().map_or(one, |weights| [0, 1, 2, 3].map(|k| weights[k].at(i, x)));
+        let (direction, turned) = (first * w - p * w1, second * w - p * w2);
+        let bend_with = |change: &SVector<Ball, N>, w2| {
+            wedge(&first, change) * w - wedge(&p, change) * w1 + wedge(&p, &first) * w2
+        };
+        let (bend, bend_slope) = (bend_with(&second, w2), bend_with(&third, w3));
+        let (speed, three) = (dot(&direction, &direction), Ball::int(3));
+        let rise = bend * (w1 * three) + bend_slope * w;
+        let slope = rise * speed - bend * (w * three * dot(&direction, &turned));
+        let (bend, slope) = match N < 3 {
+            true => (bend[2], slope[2]),
+            false => {
+                let size = dot(&bend, &bend).root();
+                (size, dot(&bend, &slope) / size)
+            }
+        };
+        [w * w * w * bend / (speed * speed.root()), w * w * w * w * slope / (speed * speed * speed)]
+    }
+}
+
 /// Curvatures with bounds.
 pub(crate) struct Measure<'a, T, const N: usize> {
-    motion: Option<Motion<Ball, N>>,
+    motion: Option<Moving<N>>,
     ends: &'a [T],
 }
 
 impl<'a, T: Certified, const N: usize> Measure<'a, T, N> {
     pub(crate) fn new(curve: &Lifted<T, N>, ends: &'a [T]) -> Self {
-        let motion = curve.over(|x| Ok(x.ball())).and_then(|curve| curve.motion(3)).ok();
+        let motion =
+            curve.over(|x| Ok(x.ball())).and_then(|curve| curve.motion(0)).ok().as_ref().map(Moving::new);
         Self { motion, ends }
     }
 

@@ -75,6 +75,25 @@ impl<T: Scalar, C: Coeff<T>> Pieces<T, C> {
         Self { ends: self.ends.clone(), degree: p - 1, coeffs }
     }
 
+    /// The polynomials of degree `p - steps` with the coefficients from the `j`-th on, `j <= steps`: those that the
+    /// algorithm of de Casteljau blends in its last steps.
+    pub(crate) fn inner(&self, steps: usize, j: usize) -> Self {
+        let degree = self.degree - steps;
+        let coeffs = (0..self.count()).flat_map(|i| self.piece(i)[j..=j + degree].iter().cloned()).collect();
+        Self { ends: self.ends.clone(), degree, coeffs }
+    }
+
+    /// The multiples by `factor / h^power`, where `h` is the length of the interval.
+    pub(crate) fn per_length(mut self, factor: i64, power: usize) -> Self {
+        let ends = self.ends.clone();
+        for (piece, ends) in self.coeffs.chunks_mut(self.degree + 1).zip(ends.windows(2)) {
+            let width = ends[1].clone() - &ends[0];
+            let share = (0..power).fold(T::int(factor), |share, _| share / &width);
+            piece.iter_mut().for_each(|c| c.scale(&share));
+        }
+        self
+    }
+
     /// The products under a bilinear pairing.
     pub(crate) fn times<A: Coeff<T>, B: Coeff<T>>(
         &self,
@@ -90,6 +109,7 @@ impl<T: Scalar, C: Coeff<T>> Pieces<T, C> {
 
     /// The sums `self + factor * other` with polynomials of the same degree.
     pub(crate) fn plus(&self, factor: i64, other: &Self) -> Self {
+        debug_assert_eq!(self.degree, other.degree, "polynomials of one degree");
         let factor = T::int(factor);
         let sums = self.coeffs.iter().zip(&other.coeffs).map(|(c, d)| c.plus_scaled(&factor, d));
         Self { ends: self.ends.clone(), degree: self.degree, coeffs: sums.collect() }
