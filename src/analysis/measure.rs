@@ -73,15 +73,15 @@ impl<const N: usize> Moving<N> {
 
 /// Curvatures with bounds.
 pub(crate) struct Measure<'a, T, const N: usize> {
-    motion: Option<Moving<N>>,
+    moving: Option<Moving<N>>,
     ends: &'a [T],
 }
 
 impl<'a, T: Certified, const N: usize> Measure<'a, T, N> {
     pub(crate) fn new(curve: &Lifted<T, N>, ends: &'a [T]) -> Self {
-        let motion =
+        let moving =
             curve.over(|x| Ok(x.ball())).and_then(|curve| curve.motion(0)).ok().as_ref().map(Moving::new);
-        Self { motion, ends }
+        Self { moving, ends }
     }
 
     /// The curvature before and after a place, or inside an interval at its start and end.
@@ -109,19 +109,19 @@ impl<'a, T: Certified, const N: usize> Measure<'a, T, N> {
     fn on(&self, i: usize, low: &T, high: &T) -> Bounds {
         let x = Ball::between(low.ball().bounds().0, high.ball().bounds().1);
         let (low, high) =
-            self.motion.as_ref().map_or(Ball::UNKNOWN, |motion| motion.curvature(i, &x)[0]).bounds();
+            self.moving.as_ref().map_or(Ball::UNKNOWN, |moving| moving.curvature(i, &x)[0]).bounds();
         Bounds { low, high }
     }
 
     /// Samples of every span, where the curvature is finite.
     pub(crate) fn samples(&self) -> Vec<Sample> {
-        let Some(motion) = &self.motion else { return Vec::new() };
+        let Some(moving) = &self.moving else { return Vec::new() };
         let mut samples = Vec::new();
         for (i, ends) in self.ends.windows(2).enumerate() {
             let [a, b] = [&ends[0], &ends[1]].map(|x| x.ball().middle());
             samples.extend((0..=SAMPLES).filter_map(|j| {
                 let x = if j == SAMPLES { b } else { a + (b - a) * (j as f64 / SAMPLES as f64) };
-                let [curvature, slope] = motion.curvature(i, &Ball::exact(x)).map(|ball| ball.middle());
+                let [curvature, slope] = moving.curvature(i, &Ball::exact(x)).map(|ball| ball.middle());
                 curvature.is_finite().then_some(Sample { parameter: x, curvature, slope })
             }));
         }

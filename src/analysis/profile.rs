@@ -238,8 +238,9 @@ pub(crate) fn profile<T: Certified, const N: usize>(
     let joints = joints(&curve, &speed, tolerance)?;
     // A curve that ends where it starts is closed, whatever its space.
     let closed = !matches!(joints[0], Some(Joint::Gap));
-    let stands =
-        |i: usize, value: &RootValue<T>| speed[i].inside.iter().any(|(still, _)| overlap(still, value));
+    let stands = |i: usize, value: &RootValue<T>| {
+        speed[i].inside.iter().any(|(still, _)| overlap(still.bounds(), value.bounds()))
+    };
     let cut =
         |i: usize| joints[i].as_ref().is_some_and(|joint| !matches!(joint, Joint::Smooth | Joint::Jump(_)));
     let marks_of =
@@ -254,22 +255,24 @@ pub(crate) fn profile<T: Certified, const N: usize>(
         let curvature = balls.around(&place, closed);
         Event { kind, place, curvature, turn: if kind == EventKind::Cusp { PI } else { 0.0 } }
     };
+    let still = joined(&ends, &speed, closed);
     let mut events = Vec::new();
     let bends: Vec<Place<T>> = if N < 3 {
         let signs = marks_of(&parted(bend, &speed), &|i| if cut(i) { Mark::Cut } else { Mark::Turn });
         changes(&signs, closed).into_iter().map(|change| change.place).collect()
     } else {
-        let vanishes = joined(&ends, bend, closed).into_iter().map(|zero| zero.place);
-        let still = joined(&ends, speed.clone(), closed);
-        vanishes.filter(|place| !still.iter().any(|zero| meet(&zero.place, place))).collect()
+        let vanishes = joined(&ends, &bend, closed).into_iter().map(|zero| zero.place);
+        vanishes
+            .filter(|place| !still.iter().any(|zero| overlap(zero.place.bounds(), place.bounds())))
+            .collect()
     };
     for change in changes(&rises, closed) {
         let kind = if change.to == Ordering::Less { EventKind::Maximum } else { EventKind::Minimum };
-        let hidden = N >= 3 && bends.iter().any(|place| meet(place, &change.place));
+        let hidden = N >= 3 && bends.iter().any(|place| overlap(place.bounds(), change.place.bounds()));
         events.extend((!hidden).then(|| event(kind, change.place)));
     }
     events.extend(bends.into_iter().map(|place| event(EventKind::Inflection, place)));
-    for zero in joined(&ends, speed.clone(), closed) {
+    for zero in still {
         // At knots the joints say more.
         let says = |joint: &Option<Joint>| joint.as_ref().is_some_and(|joint| *joint != Joint::Gap);
         let is_joint = |(t, joint): (&T, &Option<Joint>)| says(joint) && zero.place.bounds() == (t, t);
@@ -339,12 +342,7 @@ fn joints<T: Certified, const N: usize>(
     (0..=count).map(at).collect()
 }
 
-fn overlap<T: PartialOrd>(one: &RootValue<T>, other: &RootValue<T>) -> bool {
-    let ((a, b), (c, d)) = (one.bounds(), other.bounds());
-    a <= d && c <= b
-}
-
-fn meet<T: PartialOrd>(one: &Place<T>, other: &Place<T>) -> bool {
-    let ((a, b), (c, d)) = (one.bounds(), other.bounds());
+/// Whether two intervals have a parameter in common.
+fn overlap<T: PartialOrd>((a, b): (&T, &T), (c, d): (&T, &T)) -> bool {
     a <= d && c <= b
 }

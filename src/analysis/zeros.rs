@@ -150,11 +150,11 @@ impl<T: Certified> RationalFunction<T> {
 /// The zeros of a function of a curve.
 pub(crate) fn zeros<T: Certified, const N: usize>(condition: &Condition<T, N>) -> Result<Vec<Zero<T>>> {
     let space = condition.curve.space();
-    Ok(joined(&space.ends(), T::courses(condition)?, space.is_periodic()))
+    Ok(joined(&space.ends(), &T::courses(condition)?, space.is_periodic()))
 }
 
 /// The zeros of a function from the courses of its pieces between `ends`.
-pub(crate) fn joined<T: Clone>(ends: &[T], courses: Vec<Course<T>>, closed: bool) -> Vec<Zero<T>> {
+pub(crate) fn joined<T: Clone>(ends: &[T], courses: &[Course<T>], closed: bool) -> Vec<Zero<T>> {
     let count = courses.len();
     let vanishes = |i: usize| courses[i].signs[0] == Ordering::Equal;
     // The next piece from here on, and the last one before, that is not zero, round a ring if there is one.

@@ -5,9 +5,10 @@
 
 use super::Q;
 use super::modular::Prime;
+use crate::scalar::Scalar;
 use num_bigint::BigInt;
 use num_integer::Integer;
-use num_traits::{One, ToPrimitive, Zero};
+use num_traits::{ToPrimitive, Zero};
 
 /// How many primes are tried.
 const PRIMES: usize = 3;
@@ -18,9 +19,8 @@ pub(crate) fn has_simple_roots(powers: &[Q]) -> bool {
     let Some(degree) = powers.iter().rposition(|c| !c.is_zero()).filter(|degree| *degree > 0) else {
         return false;
     };
-    let denominator = powers.iter().fold(BigInt::one(), |lcm, c| lcm.lcm(&c.denom()));
-    let whole: Vec<BigInt> =
-        powers[..=degree].iter().map(|c| c.numer() * (&denominator / c.denom())).collect();
+    let Some(factor) = Q::primitive(powers.iter()) else { return false };
+    let whole: Vec<BigInt> = powers[..=degree].iter().map(|c| (c.clone() * &factor).numer()).collect();
     let primes = std::iter::successors(Some(Prime::first()), |prime| Some(prime.next())).take(PRIMES);
     primes.into_iter().any(|prime| {
         let modulus = BigInt::from(prime.p);
@@ -60,7 +60,6 @@ fn trim(f: &mut Vec<u64>) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scalar::Scalar;
 
     fn product(roots: &[(i64, i64)]) -> Vec<Q> {
         roots.iter().fold(vec![Q::int(1)], |f, (p, q)| {
