@@ -6,7 +6,7 @@ mod numbers;
 use nalgebra::SVector;
 use numbers::{Group, Numbers, Question, assert_close};
 use std::hint::black_box;
-use symspline::{Curve, Function, Result, Scalar, SplineSpace};
+use symspline::{Curve, FineTuner, Function, Result, Scalar, SplineSpace};
 
 fn main() -> Result<()> {
     numbers::run::<FineTuning>()
@@ -45,7 +45,7 @@ impl Question for FineTuning {
         group.bench_function(name, |b| b.iter(|| black_box(&curve).fine_tuned(&alpha)));
 
         // While a value of the scale is dragged.
-        let tuning = curve.fine_tuning(alpha.space())?;
+        let tuning = FineTuner::free(&curve, alpha.space())?;
         let mut points = tuning.tuned(alpha.coeffs())?.into_coeffs();
         for (point, expected) in points.iter().zip(tuned.coeffs()) {
             assert_close(point, expected, epsilon.clone() * T::int(100 * tuned.coeffs().len() as i64));

@@ -19,14 +19,14 @@ const SMOOTH: f64 = 0.02;
 fn main() -> Result<(), Box<dyn Error>> {
     let car = car()?;
     let alpha = Function::new(SplineSpace::uniform(2, 4, 0.0, 1.0)?, vec![1.0, 1.0, 0.5, 2.0, 1.0, 1.0])?;
-    let tuned = car.fine_tuned_holding(&alpha, Hold::Points)?;
+    let tuned = car.fine_tuned_holding(&alpha, Hold::Points)?.curve;
     report("car", "Car body profile", "mm", &[("before", &car), ("after", &tuned)])?;
 
     let letter = letter("S")?;
     let stretch = longest_smooth(&letter)?;
     let (a, b) = stretch.domain();
     let alpha = Function::new(SplineSpace::bezier(2, *a, *b)?, vec![1.0, 1.4, 1.0])?;
-    let tuned = stretch.fine_tuned_holding(&alpha, Hold::Points)?;
+    let tuned = stretch.fine_tuned_holding(&alpha, Hold::Points)?.curve;
     report(
         "letter",
         "Letter S: the outline, and one of its sides fine-tuned",

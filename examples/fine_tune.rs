@@ -72,7 +72,7 @@ fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let alpha = Function::new(SplineSpace::uniform(2, spans, 0.0, 1.0)?, arguments.alpha.clone())?;
 
     let free = curve.fine_tuned(&alpha)?;
-    let held = curve.fine_tuned_holding(&alpha, Hold::Points)?;
+    let held = curve.fine_tuned_holding(&alpha, Hold::Points)?.curve;
     let scale = chord(&held) / chord(&free);
     let time = median_time(|| curve.fine_tuned(&alpha).map(drop))?;
     let tuned = [

@@ -134,9 +134,17 @@ pub enum Error {
     /// A denominator vanishes somewhere.
     #[error("the denominator has a zero")]
     Pole,
-    /// Bisection did not tell whether a denominator vanishes.
-    #[error("whether the denominator has a zero could not be decided")]
+    /// Bisection did not tell whether a function, as a denominator or a scale, vanishes.
+    #[error("whether the function has a zero could not be decided")]
     Undecided,
+    /// A function that should be positive is not.
+    #[error("the function is {value} at parameter {parameter}, not positive")]
+    NotPositive {
+        /// A parameter where it is not.
+        parameter: String,
+        /// The value there.
+        value: String,
+    },
     /// A ratio is not positive.
     #[error("the ratio {ratio} is not a positive number")]
     Ratio {

@@ -11,16 +11,24 @@
 //! points, 1 to hold the tangents too, 2 to hold the curvatures too [Miura, 2.1]. In the plane `Z` is a complex
 //! factor, hence rational; in space it is the rotation by the least angle, which needs square roots.
 
+use crate::analysis::analyse::Analyse;
+use crate::analysis::curvature::Curved;
 use crate::coeff::Coeff;
 use crate::error::{Error, Result};
+use crate::fine_tune::scale::Scale;
 use crate::scalar::{Real, Scalar, larger};
-use crate::spline::{Curve, Function, Spline};
+use crate::spline::{Curve, Spline};
 use crate::vector::{cross3, dot, unit};
 use nalgebra::{SVector, vector};
 
 /// What stays in place at both ends.
+///
+/// Derivatives are those with respect to the parameter: a curve with held tangents, put in the place of the original in a
+/// longer one, meets its neighbours with `C1`, one with held curvatures with `C2`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Hold {
+    /// The start alone.
+    Start,
     /// The end points.
     Points,
     /// End points and first derivatives.
@@ -30,12 +38,13 @@ pub enum Hold {
 }
 
 impl Hold {
-    /// The index `j` of the control points that are matched.
-    fn depth(self) -> usize {
+    /// The index `j` of the control points that are matched, if any are.
+    pub(crate) fn depth(self) -> Option<usize> {
         match self {
-            Self::Points => 0,
-            Self::Tangents => 1,
-            Self::Curvatures => 2,
+            Self::Start => None,
+            Self::Points => Some(0),
+            Self::Tangents => Some(1),
+            Self::Curvatures => Some(2),
         }
     }
 }
@@ -109,6 +118,63 @@ fn across<T: Real>(v: &SVector<T, 3>) -> SVector<T, 3> {
     unit(&cross3(v, &least)).expect("an axis that `v` leans to least is not parallel to it").0
 }
 
+/// A fine-tuned curve whose ends were put back, and what that did to it.
+///
+/// Between the parameters [`similar`](Self::similar) it is the image of the freely tuned curve under one similarity of
+/// scale `s`, so its curvature there is `κ / (|α| s)`. Outside, the control points near the ends were put elsewhere than
+/// that image has them: [`image`](Self::image) tells by how much.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Held<T: Scalar, const N: usize> {
+    /// The curve with its ends held.
+    pub curve: Curve<T, N>,
+    /// The whole freely tuned curve under the same similarity, over the same knots.
+    pub image: Curve<T, N>,
+    /// `s²`, the square of the scale of the similarity.
+    pub squared_scale: T,
+    /// From where to where the curve is its image; nothing if each span has a control point that was put elsewhere.
+    pub similar: Option<(T, T)>,
+}
+
+impl<T: Scalar, const N: usize> Held<T, N> {
+    /// At least the largest distance of the curve from its image: what holding more than the end points took.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] on overflow.
+    pub fn deviation(&self) -> Result<T> {
+        self.curve.distance_bound(&self.image)
+    }
+}
+
+impl<T: Real, const N: usize> Held<T, N> {
+    /// The factor `s` of the similarity: on [`similar`](Self::similar) the curvature was divided by it.
+    pub fn scale(&self) -> T {
+        self.squared_scale.sqrt()
+    }
+}
+
+impl<T: Real, const N: usize> Held<T, N>
+where
+    SVector<T, N>: Curved<T>,
+{
+    /// The largest difference of curvature between the curve and its image, at `per_span` parameters inside each span:
+    /// sampled, not proved.
+    ///
+    /// # Errors
+    /// [`Error::Stationary`] where a curve stands still.
+    pub fn curvature_deviation(&self, per_span: usize) -> Result<T> {
+        let mut largest = T::zero();
+        for span in self.curve.space().breaks().windows(2) {
+            let (a, width) = (&span[0].0, span[1].0.clone() - &span[0].0);
+            for i in 0..per_span {
+                let x = a.clone() + width.clone() * T::frac(2 * i as i64 + 1, 2 * per_span as i64);
+                let change = self.curve.curvature_at(&x)? - self.image.curvature_at(&x)?;
+                largest = larger(largest, change.magnitude());
+            }
+        }
+        Ok(largest)
+    }
+}
+
 impl<T: Scalar, const N: usize> Curve<T, N>
 where
     SVector<T, N>: Turnable<T>,
@@ -116,8 +182,8 @@ where
     /// The curve with its derivative multiplied by `alpha`, then rotated and scaled so that its ends are held.
     ///
     /// With [`Hold::Points`] the result is similar to [`fine_tuned`](Curve::fine_tuned), so its curvature is that one's
-    /// times one constant. The other holds change the first and last span besides. Plane curves are exact over any
-    /// field, space curves need a [`Real`].
+    /// times one constant. [`Hold::Tangents`] and [`Hold::Curvatures`] change the first and last span besides. Plane
+    /// curves are exact over any field, space curves need a [`Real`].
     ///
     /// # Errors
     /// [`Error::NoChord`] if the matched points of the curve coincide at both ends, as in a closed curve: no scaling
@@ -131,44 +197,85 @@ where
     /// let q = |x: i64, y: i64| vector![Q::int(x), Q::int(y)];
     /// let curve = Curve::new(SplineSpace::bezier(2, Q::int(0), Q::int(1))?, vec![q(0, 0), q(1, 2), q(2, 0)])?;
     /// let alpha = Function::new(SplineSpace::bezier(1, Q::int(0), Q::int(1))?, vec![Q::int(1), Q::int(2)])?;
-    /// let tuned = curve.fine_tuned_holding(&alpha, Hold::Points)?;
-    /// assert_eq!(tuned.at(&Q::int(1))?, q(2, 0));
+    /// let held = curve.fine_tuned_holding(&alpha, Hold::Points)?;
+    /// assert_eq!(held.curve.at(&Q::int(1))?, q(2, 0));
+    /// // The freely tuned curve ends at (3, -2/3): from that chord back to one of length 2.
+    /// assert_eq!(held.squared_scale, Q::frac(36, 85));
     /// # Ok::<(), symspline::Error>(())
     /// ```
-    pub fn fine_tuned_holding(&self, alpha: &Function<T>, hold: Hold) -> Result<Self> {
-        let tuned = self.fine_tuned(alpha)?;
-        let invariant = self.clamped_ends()?.embedded(tuned.space())?;
-        held(&tuned, &invariant, hold)
+    pub fn fine_tuned_holding<'a>(&self, alpha: impl Into<Scale<'a, T>>, hold: Hold) -> Result<Held<T, N>> {
+        let free = self.fine_tuned(alpha)?;
+        let Some(j) = hold.depth() else {
+            let similar = Some(free.domain()).map(|(a, b)| (a.clone(), b.clone()));
+            return Ok(Held { curve: free.clone(), image: free, squared_scale: T::one(), similar });
+        };
+        let invariant = self.clamped_ends()?.embedded(free.space())?;
+        let ends = Ends::of(invariant.coeffs(), j)?;
+        let q = free.coeffs();
+        let far = q.len() - 1 - j;
+        let chord = q[far].minus(&q[j]);
+        let turn = ends.turn(&chord)?;
+        let moved = |point: &SVector<T, N>| turn(&point.minus(&q[j])).plus_scaled(&T::one(), ends.foot());
+        let image: Vec<_> = q.iter().map(moved).collect();
+        let held = (0..q.len()).map(|k| ends.held(k).unwrap_or(&image[k]).clone()).collect();
+        let knots = free.space().knots();
+        let similar = (knots[free.degree() + j].clone(), knots[q.len() - j].clone());
+        Ok(Held {
+            curve: Spline::new(free.space().clone(), held)?,
+            image: Spline::new(free.space().clone(), image)?,
+            squared_scale: dot(&ends.chord(), &ends.chord()) / dot(&chord, &chord),
+            similar: Some(similar).filter(|(start, end)| start < end),
+        })
     }
 }
 
-/// `tuned` with its end control points put where those of `invariant` are, both over the same knots.
-fn held<T: Scalar, const N: usize>(
-    tuned: &Curve<T, N>,
-    invariant: &Curve<T, N>,
-    hold: Hold,
-) -> Result<Curve<T, N>>
-where
-    SVector<T, N>: Turnable<T>,
-{
-    let (q, i, j) = (tuned.coeffs(), invariant.coeffs(), hold.depth());
-    if q.len() < 2 * j + 2 {
-        return Err(Error::CoefficientCount { expected: 2 * j + 2, found: q.len() });
-    }
-    let far = q.len() - 1 - j;
-    let chord = |points: &[SVector<T, N>]| points[far].minus(&points[j]);
-    let (source, target) = (chord(q), chord(i));
-    let turn = SVector::turn(&source, &target).filter(|_| !target.vanishes()).ok_or(Error::NoChord)?;
-    let place = |k: usize| match k {
-        // The matched points themselves, without rounding.
-        k if k <= j || k >= far => i[k].clone(),
-        k => {
-            let mut point = turn(&q[k].minus(&q[j]));
-            point.add_scaled(&T::one(), &i[j]);
-            point
+/// The control points near the ends of the invariant curve, to which those of a tuned curve are put back.
+#[derive(Clone, Debug)]
+pub(crate) struct Ends<T, const N: usize> {
+    /// `I_0 ... I_j`.
+    start: Vec<SVector<T, N>>,
+    /// `I_{N-j} ... I_N`.
+    end: Vec<SVector<T, N>>,
+    /// `N - j`.
+    far: usize,
+}
+
+impl<T: Scalar, const N: usize> Ends<T, N> {
+    /// The ends of the control points `i`, `j + 1` of them on both sides.
+    pub(crate) fn of(i: &[SVector<T, N>], j: usize) -> Result<Self> {
+        if i.len() < 2 * j + 2 {
+            return Err(Error::CoefficientCount { expected: 2 * j + 2, found: i.len() });
         }
-    };
-    Spline::new(tuned.space().clone(), (0..q.len()).map(place).collect())
+        let far = i.len() - 1 - j;
+        Ok(Self { start: i[..=j].to_vec(), end: i[far..].to_vec(), far })
+    }
+
+    /// `I_j`.
+    pub(crate) fn foot(&self) -> &SVector<T, N> {
+        &self.start[self.start.len() - 1]
+    }
+
+    /// `I_{N-j} - I_j`.
+    fn chord(&self) -> SVector<T, N> {
+        self.end[0].minus(self.foot())
+    }
+
+    /// Control point `k` if it is one of those that are matched, which come without rounding.
+    pub(crate) fn held(&self, k: usize) -> Option<&SVector<T, N>> {
+        self.start.get(k).or_else(|| self.end.get(k.checked_sub(self.far)?))
+    }
+
+    /// The similarity that takes the chord of the tuned curve to this one.
+    pub(crate) fn turn(
+        &self,
+        tuned: &SVector<T, N>,
+    ) -> Result<impl Fn(&SVector<T, N>) -> SVector<T, N> + use<T, N>>
+    where
+        SVector<T, N>: Turnable<T>,
+    {
+        let chord = self.chord();
+        SVector::turn(tuned, &chord).filter(|_| !chord.vanishes()).ok_or(Error::NoChord)
+    }
 }
 
 #[cfg(test)]

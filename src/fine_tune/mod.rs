@@ -1,5 +1,5 @@
 //! Fine tuning: a curve is deformed by scaling its derivative, after Miura, Cheng and Wang.
 
 pub mod scale;
-pub mod table;
 pub mod hold;
+pub mod tuner;

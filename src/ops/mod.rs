@@ -26,6 +26,7 @@ pub mod hull;
 pub mod dual;
 pub mod power;
 pub mod bound;
+pub mod positive;
 pub mod quasi;
 pub mod project;
 pub mod adapt;

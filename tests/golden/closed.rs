@@ -16,7 +16,7 @@
 use crate::check::{check_row, for_each, largest, row};
 use crate::data::{Case, Field, cases};
 use nalgebra::SVector;
-use symspline::{Curve, Error, Function, Q, Result, Scalar, SplineSpace};
+use symspline::{Curve, Error, Function, Q, Result, Scalar, Scale, SplineSpace};
 
 /// The bound over `f64`, in units of epsilon times the largest coordinate.
 const FACTOR: f64 = 4.0;
@@ -75,7 +75,7 @@ fn tuned_controls<T: Field>(case: Case) -> Result<Rows<T>> {
     let curve = closed_quadratic::<T>(case)?;
     let m = curve.space().dim();
     let alpha = Function::new(ring(1, m)?, case.get("a").numbers())?;
-    let tuned = curve.fine_tuned(&alpha)?;
+    let tuned = curve.fine_tuned(Scale::Signed(&alpha))?;
     assert!(tuned.space().is_clamped(), "{}", case.id());
     // Each of -1/m, 0, ..., 1, 1 + 1/m twice.
     let m = m as i64;

@@ -6,7 +6,7 @@ use crate::check::{
 use crate::data::{Case, Field};
 use nalgebra::SVector;
 use std::cell::Cell;
-use symspline::{Curve, Error, Function, Hold, Q, Result, SplineSpace, Turnable};
+use symspline::{Curve, Error, Function, Hold, Q, Result, Scale, SplineSpace, Turnable};
 
 /// Degree, knots `W` and control points `Q`; then three rows a sample: `D`, `D'`, `D''`.
 struct FineTune;
@@ -18,7 +18,7 @@ impl Golden for FineTune {
 
     fn found<T: Field>(case: Case) -> Result<Answer<T>> {
         fn tuned<T: Field, const N: usize>(case: Case) -> Result<Answer<T>> {
-            let tuned = case.curve::<T, N>("n")?.fine_tuned(&case.function("alpha")?)?;
+            let tuned = case.curve::<T, N>("n")?.fine_tuned(Scale::Signed(&case.function("alpha")?))?;
             let mut answer = Answer::spline(&tuned);
             for sample in case.get("samples").list() {
                 answer.rows.extend(tuned.derivatives_at(&sample.get("t").number(), 2)?.into_iter().map(row));
@@ -66,7 +66,7 @@ fn given<T: Field, const N: usize>(case: Case) -> Result<(Curve<T, N>, Function<
 /// Free result and invariant curve, which need no square roots: both over the same knots.
 fn free_and_invariant<T: Field, const N: usize>(case: Case) -> Result<[Answer<T>; 2]> {
     let (curve, alpha) = given::<T, N>(case)?;
-    let free = curve.fine_tuned(&alpha)?;
+    let free = curve.fine_tuned(Scale::Signed(&alpha))?;
     let invariant = curve.embedded(free.space())?;
     Ok([&free, &invariant].map(Answer::spline))
 }
@@ -77,12 +77,12 @@ where
     SVector<T, N>: Turnable<T>,
 {
     let (curve, alpha) = given::<T, N>(case)?;
-    let held = curve.fine_tuned_holding(&alpha, hold(case));
+    let held = curve.fine_tuned_holding(Scale::Signed(&alpha), hold(case));
     if case.refused("Q") {
         assert_eq!(held.err(), Some(Error::NoChord), "{}", case.id());
         return Ok(None);
     }
-    held.map(|held| Some(Answer::spline(&held)))
+    held.map(|held| Some(Answer::spline(&held.curve)))
 }
 
 #[test]
@@ -150,6 +150,6 @@ fn too_few_control_points_are_refused() {
     let line = Curve::new(segment, points).unwrap();
     let alpha =
         Function::constant(SplineSpace::bezier(0, Q::from(0), Q::from(1)).unwrap(), Q::from(2)).unwrap();
-    let error = line.fine_tuned_holding(&alpha, Hold::Curvatures).unwrap_err();
+    let error = line.fine_tuned_holding(Scale::Signed(&alpha), Hold::Curvatures).unwrap_err();
     assert_eq!(error, Error::CoefficientCount { expected: 6, found: 2 });
 }

@@ -1,9 +1,9 @@
 //! Laws of fine tuning: `D' = α C'`, exactly.
 
-use crate::strategies::{ANY, CLAMPED, Kind, cases, curve, curve_and_function, number};
+use crate::strategies::{ANY, CLAMPED, Kind, cases, curve, curve_and_function, function, number};
 use nalgebra::SVector;
 use proptest::prelude::*;
-use symspline::{Curve, Function, Q, Scalar, SplineSpace};
+use symspline::{Curve, Error, FineTuner, Function, Q, Scalar, Scale, SplineSpace};
 
 /// Curves that have a derivative.
 const CURVE: Kind = ANY.of_degree(1, 4).smooth(1);
@@ -20,7 +20,7 @@ proptest! {
 
     #[test]
     fn the_derivative_is_scaled((c, alpha) in curve_and_function::<3>(CURVE, SCALE)) {
-        let tuned = c.fine_tuned(&alpha)?;
+        let tuned = c.fine_tuned(Scale::Signed(&alpha))?;
         prop_assert!(tuned.derivative()?.same_function(&c.derivative()?.times(&alpha)?)?);
         prop_assert_eq!(tuned.at(c.domain().0)?, c.at(c.domain().0)?);
         prop_assert!(tuned.space().is_clamped());
@@ -28,8 +28,8 @@ proptest! {
 
     #[test]
     fn the_table_tunes_as_the_operator_does((c, alpha) in curve_and_function::<3>(CURVE, SCALE), at in number()) {
-        let tuning = c.fine_tuning(alpha.space())?;
-        let tuned = c.fine_tuned(&alpha)?;
+        let tuning = FineTuner::free(&c, alpha.space())?.signed();
+        let tuned = c.fine_tuned(Scale::Signed(&alpha))?;
         prop_assert_eq!(tuning.space(), tuned.space());
         // Whatever the places held before.
         let mut points = vec![SVector::from_element(at); tuned.coeffs().len()];
@@ -43,6 +43,45 @@ proptest! {
     }
 
     #[test]
+    fn scales_are_proved_positive((c, alpha) in curve_and_function::<2>(CURVE, SCALE), lift in number()) {
+        let alpha = alpha.translated(&lift)?;
+        match alpha.positive_bound() {
+            Ok(bound) => {
+                prop_assert!(bound > Q::int(0));
+                prop_assert!(bound <= alpha.range(&Q::frac(1, 1000))?.least.value);
+                prop_assert_eq!(c.fine_tuned(&alpha)?, c.fine_tuned(Scale::Signed(&alpha))?);
+                let tuner = FineTuner::free(&c, alpha.space())?;
+                prop_assert_eq!(tuner.tuned(alpha.coeffs())?, c.fine_tuned(&alpha)?);
+            }
+            Err(Error::NotPositive { parameter, value }) => {
+                let [x, value]: [Q; 2] = [parameter.parse()?, value.parse()?];
+                prop_assert!(value <= Q::int(0) && (alpha.at(&x)? == value || alpha.at_left(&x)? == value));
+                prop_assert!(c.fine_tuned(&alpha).is_err());
+                prop_assert!(FineTuner::free(&c, alpha.space())?.tuned(alpha.coeffs()).is_err());
+            }
+            Err(error) => prop_assert_eq!(error, Error::Undecided),
+        }
+    }
+
+    #[test]
+    fn a_curvature_ratio_is_met_within_the_bound(
+        ratio in function(ANY.of_degree(0, 2)), lift in 1_i64..5, degree in 0_usize..4, at in 0_i64..=20,
+    ) {
+        let (low, _) = ratio.coefficient_range();
+        let ratio = ratio.translated(&(Q::int(lift) - low))?;
+        let (a, b) = ratio.domain();
+        let space = SplineSpace::bezier(degree, a.clone(), b.clone())?.union(ratio.space())?.bisected()?;
+        let Ok(alpha) = space.scale_for_curvature_ratio(&ratio) else { return Ok(()) };
+        let x = a.clone() + (b.clone() - a) * Q::frac(at, 20);
+        let [alpha_x, wanted] = [alpha.spline.at(&x)?, ratio.at(&x)?];
+        let reached = Q::int(1) / &alpha_x;
+        prop_assert!(alpha_x > Q::int(0));
+        prop_assert!((reached - &wanted).magnitude() <= alpha.bound.clone() * wanted);
+        let constant = Function::constant(ratio.space().clone(), Q::int(lift))?;
+        prop_assert_eq!(space.scale_for_curvature_ratio(&constant)?.bound, Q::int(0));
+    }
+
+    #[test]
     fn a_scale_of_one_changes_nothing(c in curve::<2>(CURVE), q in 0_usize..4) {
         prop_assert!(c.fine_tuned(&constant(&c, q, Q::int(1))?)?.same_function(&c)?);
     }
@@ -51,7 +90,7 @@ proptest! {
     fn a_constant_scale_is_a_similarity(c in curve::<2>(CURVE), q in 0_usize..3, factor in number()) {
         let start = c.at(c.domain().0)?;
         let expected = c.translated(&-start.clone())?.scaled(&factor)?.translated(&start)?;
-        prop_assert!(c.fine_tuned(&constant(&c, q, factor)?)?.same_function(&expected)?);
+        prop_assert!(c.fine_tuned(Scale::Signed(&constant(&c, q, factor)?))?.same_function(&expected)?);
     }
 
     #[test]
@@ -59,7 +98,7 @@ proptest! {
         (c, alpha) in curve_and_function::<2>(ANY.of_degree(2, 4).smooth(2), ANY.of_degree(1, 2).smooth(1)),
     ) {
         // κ = (C' × C'') / |C'|³: the cross product gains α² and the squared speed α², so that κ loses |α|.
-        let tuned = c.fine_tuned(&alpha)?;
+        let tuned = c.fine_tuned(Scale::Signed(&alpha))?;
         let square = &alpha * &alpha;
         let (dc, ddc) = (c.derivative()?, c.nth_derivative(2)?);
         let (dd, ddd) = (tuned.derivative()?, tuned.nth_derivative(2)?);
@@ -78,8 +117,8 @@ proptest! {
         let moved = one.plus_scaled(&s, &alpha)?;
         let start = c.at(c.domain().0)?;
         // D(1 + s α) = C + s (D(α) - C(a)).
-        let change = c.fine_tuned(&alpha)?.translated(&-start)?;
-        prop_assert!(c.fine_tuned(&moved)?.same_function(&c.plus_scaled(&s, &change)?)?);
+        let change = c.fine_tuned(Scale::Signed(&alpha))?.translated(&-start)?;
+        prop_assert!(c.fine_tuned(Scale::Signed(&moved))?.same_function(&c.plus_scaled(&s, &change)?)?);
     }
 
     #[test]
@@ -88,8 +127,8 @@ proptest! {
         level in number(),
     ) {
         let beta = alpha.translated(&level)?;
-        let twice = c.fine_tuned(&alpha)?.fine_tuned(&beta)?;
-        prop_assert!(twice.same_function(&c.fine_tuned(&(&alpha * &beta))?)?);
+        let twice = c.fine_tuned(Scale::Signed(&alpha))?.fine_tuned(Scale::Signed(&beta))?;
+        prop_assert!(twice.same_function(&c.fine_tuned(Scale::Signed(&(&alpha * &beta)))?)?);
     }
 
     #[test]
@@ -97,12 +136,12 @@ proptest! {
         (c, alpha) in curve_and_function::<2>(CURVE, SCALE),
         by in crate::strategies::point::<2>(),
     ) {
-        prop_assert_eq!(c.translated(&by)?.fine_tuned(&alpha)?, c.fine_tuned(&alpha)?.translated(&by)?);
+        prop_assert_eq!(c.translated(&by)?.fine_tuned(Scale::Signed(&alpha))?, c.fine_tuned(Scale::Signed(&alpha))?.translated(&by)?);
     }
 
     #[test]
     fn knots_get_the_copies_their_smoothness_takes((c, alpha) in curve_and_function::<2>(CURVE, SCALE)) {
-        let (n, q, tuned) = (c.degree(), alpha.degree(), c.fine_tuned(&alpha)?);
+        let (n, q, tuned) = (c.degree(), alpha.degree(), c.fine_tuned(Scale::Signed(&alpha))?);
         prop_assert_eq!(tuned.degree(), n + q);
         let copies = |space: &SplineSpace<Q>, t: &Q| {
             space.breaks().iter().find(|(s, _)| s == t).map_or(0, |(_, m)| *m)
@@ -119,7 +158,7 @@ proptest! {
 
     #[test]
     fn the_same_knots_hold_the_untuned_curve((c, alpha) in curve_and_function::<2>(CURVE, SCALE)) {
-        prop_assert!(c.fine_tuned(&alpha)?.space().contains(c.space()));
+        prop_assert!(c.fine_tuned(Scale::Signed(&alpha))?.space().contains(c.space()));
     }
 
     #[test]
@@ -128,12 +167,12 @@ proptest! {
     ) {
         // D = C(a) + Σ a_j G_j with G_j the curve tuned by one basis function.
         let start = c.at(c.domain().0)?;
-        let mut sum = Curve::constant(c.fine_tuned(&alpha)?.space().clone(), start.clone())?;
+        let mut sum = Curve::constant(c.fine_tuned(Scale::Signed(&alpha))?.space().clone(), start.clone())?;
         for (j, a) in alpha.coeffs().iter().enumerate() {
-            let part = c.fine_tuned(&crate::oracle::unit(alpha.space(), j))?.translated(&-start.clone())?;
+            let part = c.fine_tuned(Scale::Signed(&crate::oracle::unit(alpha.space(), j)))?.translated(&-start.clone())?;
             sum = sum.plus_scaled(a, &part)?;
         }
-        prop_assert_eq!(sum, c.fine_tuned(&alpha)?);
+        prop_assert_eq!(sum, c.fine_tuned(Scale::Signed(&alpha))?);
     }
 }
 
@@ -143,7 +182,7 @@ fn a_standing_point_stays_where_it_is() -> symspline::Result<()> {
         SplineSpace::bezier(2, Q::int(0), Q::int(1))?,
         SVector::from([Q::int(3), Q::int(4)]),
     )?;
-    let tuned = still.fine_tuned(&Function::monomial(2, Q::int(0), Q::int(1))?)?;
+    let tuned = still.fine_tuned(Scale::Signed(&Function::monomial(2, Q::int(0), Q::int(1))?))?;
     assert!(tuned.same_function(&still)?);
     Ok(())
 }

@@ -4,7 +4,7 @@ use crate::strategies::{ANY, CLAMPED, Kind, RING, cases, curve, curve_and_functi
 use nalgebra::{SVector, vector};
 use proptest::collection::vec;
 use proptest::prelude::*;
-use symspline::{Curve, Error, Function, Hold, Q, Scalar, SplineSpace};
+use symspline::{Curve, Error, FineTuner, Function, Held, Hold, Q, Scalar, Scale, SplineSpace};
 
 const CURVE: Kind = ANY.of_degree(1, 4).smooth(1);
 const SCALE: Kind = ANY.of_degree(0, 3);
@@ -16,15 +16,15 @@ fn held(
     alpha: &Function<Q>,
     (j, hold): (usize, Hold),
 ) -> Result<Option<[Curve<Q, 2>; 2]>, TestCaseError> {
-    let free = c.fine_tuned(alpha)?;
+    let free = c.fine_tuned(Scale::Signed(alpha))?;
     let invariant = c.clamped_ends()?.embedded(free.space())?;
     let (q, i) = (free.coeffs(), invariant.coeffs());
     let chord =
         |points: &[SVector<Q, 2>]| points.len() >= 2 * j + 2 && points[j] != points[points.len() - 1 - j];
-    match c.fine_tuned_holding(alpha, hold) {
+    match c.fine_tuned_holding(Scale::Signed(alpha), hold) {
         Ok(held) => {
             prop_assert!(chord(q) && chord(i));
-            Ok(Some([free, held]))
+            Ok(Some([free, held.curve]))
         }
         Err(Error::NoChord) => {
             prop_assert!(q.len() >= 2 * j + 2 && !(chord(q) && chord(i)));
@@ -45,6 +45,49 @@ fn times(z: &SVector<Q, 2>, v: &SVector<Q, 2>) -> SVector<Q, 2> {
 
 proptest! {
     #![proptest_config(cases(64))]
+
+    #[test]
+    fn the_report_says_what_holding_did((c, alpha) in curve_and_function::<2>(CURVE, SCALE)) {
+        for (j, hold) in HOLDS {
+            let Ok(held) = c.fine_tuned_holding(Scale::Signed(&alpha), hold) else { continue };
+            let free = c.fine_tuned(Scale::Signed(&alpha))?;
+            // The image is the free curve under one similarity, of the scale that is told.
+            let [speed, image] = [&free, &held.image].map(|f| f.derivative().and_then(|d| d.dot(&d)));
+            prop_assert!(image?.same_function(&speed?.scaled(&held.squared_scale)?)?);
+            let Some((start, end)) = &held.similar else { continue };
+            prop_assert!(held.curve.restricted(start, end)?.same_function(&held.image.restricted(start, end)?)?);
+            let deviation = held.deviation()?;
+            prop_assert!(j > 0 || deviation == Q::int(0));
+            for x in [c.domain().0, c.domain().1] {
+                let gap = held.curve.at(x)? - held.image.at(x)?;
+                prop_assert!(gap[0].clone() * &gap[0] + gap[1].clone() * &gap[1] <= deviation.clone() * &deviation);
+            }
+        }
+    }
+
+    #[test]
+    fn a_held_tuner_tunes_as_the_operator_does((c, alpha) in curve_and_function::<2>(CURVE, SCALE), at in number()) {
+        for hold in HOLDS.map(|(_, hold)| hold).into_iter().chain([Hold::Start]) {
+            let held = c.fine_tuned_holding(Scale::Signed(&alpha), hold);
+            let tuner = match FineTuner::prepare(&c, alpha.space(), hold) {
+                Ok(tuner) => tuner.signed(),
+                Err(error) => {
+                    prop_assert_eq!(error, held.unwrap_err());
+                    continue;
+                }
+            };
+            let before = vec![SVector::from_element(at.clone()); tuner.space().dim()];
+            let mut points = before.clone();
+            match (tuner.tune_into(alpha.coeffs(), &mut points), held) {
+                (Ok(()), Ok(held)) => prop_assert_eq!(&points[..], held.curve.coeffs()),
+                (Err(error), held) => {
+                    prop_assert_eq!(error, held.unwrap_err());
+                    prop_assert_eq!(points, before);
+                }
+                (Ok(()), Err(error)) => prop_assert!(false, "{error}"),
+            }
+        }
+    }
 
     #[test]
     fn derivatives_at_the_ends_are_held((c, alpha) in curve_and_function::<2>(CURVE, SCALE)) {
@@ -93,12 +136,12 @@ proptest! {
         let (a, b) = c.domain();
         let space = SplineSpace::bezier(1, a.clone(), b.clone())?;
         let alpha = Function::new(space, vec![alpha.clone(), alpha + Q::int(1)])?;
-        prop_assert_eq!(closed.fine_tuned_holding(&alpha, Hold::Points).unwrap_err(), Error::NoChord);
+        prop_assert_eq!(closed.fine_tuned_holding(Scale::Signed(&alpha), Hold::Points).unwrap_err(), Error::NoChord);
     }
 
     #[test]
     fn rings_have_no_chord((c, alpha) in curve_and_function::<2>(RING.of_degree(1, 3).smooth(1), SCALE)) {
-        prop_assert_eq!(c.fine_tuned_holding(&alpha, Hold::Points).unwrap_err(), Error::NoChord);
+        prop_assert_eq!(c.fine_tuned_holding(Scale::Signed(&alpha), Hold::Points).unwrap_err(), Error::NoChord);
     }
 }
 
@@ -123,7 +166,7 @@ proptest! {
     fn ends_in_space_are_held((c, alpha) in in_space()) {
         let (a, b) = c.domain();
         for (j, hold) in HOLDS {
-            let Ok(held) = c.fine_tuned_holding(&alpha, hold) else { continue };
+            let Ok(Held { curve: held, .. }) = c.fine_tuned_holding(Scale::Signed(&alpha), hold) else { continue };
             let size = c.coeffs().iter().map(|point| point.norm()).fold(1.0, f64::max);
             // The end knots are one apart at least, so that derivatives are at most (2 · 5)^j controls.
             for x in [a, b] {
@@ -136,8 +179,8 @@ proptest! {
 
     #[test]
     fn lengths_and_angles_in_space_scale_alike((c, alpha) in in_space()) {
-        let free = c.fine_tuned(&alpha)?;
-        let Ok(held) = c.fine_tuned_holding(&alpha, Hold::Points) else { return Ok(()) };
+        let free = c.fine_tuned(Scale::Signed(&alpha))?;
+        let Ok(Held { curve: held, .. }) = c.fine_tuned_holding(Scale::Signed(&alpha), Hold::Points) else { return Ok(()) };
         let last = free.coeffs().len() - 1;
         let legs = |d: &Curve<f64, 3>| -> Vec<SVector<f64, 3>> {
             d.coeffs().windows(2).map(|pair| pair[1] - pair[0]).collect()
@@ -161,10 +204,10 @@ proptest! {
         let flat = Curve::new(c.space().clone(), flat)?;
         let lifted = flat.coeffs().iter().map(|point| vector![point[0], point[1], 0.0]).collect();
         let lifted = Curve::new(c.space().clone(), lifted)?;
-        let free = flat.fine_tuned(&alpha)?;
+        let free = flat.fine_tuned(Scale::Signed(&alpha))?;
         for (j, hold) in HOLDS {
-            let Ok(plane) = flat.fine_tuned_holding(&alpha, hold) else { continue };
-            let space = lifted.fine_tuned_holding(&alpha, hold)?;
+            let Ok(Held { curve: plane, .. }) = flat.fine_tuned_holding(Scale::Signed(&alpha), hold) else { continue };
+            let space = lifted.fine_tuned_holding(Scale::Signed(&alpha), hold)?.curve;
             let chord = |d: &Curve<f64, 2>| d.coeffs()[d.coeffs().len() - 1 - j] - d.coeffs()[j];
             let (from, to) = (chord(&free), chord(&plane));
             // Short chords magnify rounding, half turns have many axes.
