@@ -258,6 +258,18 @@ pub enum Error {
         /// The row where elimination found no pivot.
         row: usize,
     },
+    /// A condition follows from those before it, but its value does not.
+    #[error("condition {condition} contradicts those before it")]
+    Clash {
+        /// Its index.
+        condition: usize,
+    },
+    /// No positive scale function meets the conditions.
+    #[error("no positive scale function of this space meets the conditions{}", if *.proved { "" } else { ", as far as was searched" })]
+    NoPositiveScale {
+        /// Whether it is proved that none has all its values at or above the floor.
+        proved: bool,
+    },
     /// A curve stands still, so that it has no direction or curvature there.
     #[error("the derivative vanishes at parameter {parameter}")]
     Stationary {

@@ -2,4 +2,6 @@
 
 pub mod scale;
 pub mod hold;
+pub mod condition;
+pub mod nearest_scale;
 pub mod tuner;

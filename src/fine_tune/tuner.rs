@@ -8,11 +8,17 @@
 //!
 //! with `φ_j` the basis of the scale functions, `m` and `τ` degree and knots of `φ_j C'`. So tuning takes a short sum for
 //! each control point, while a value of `α` is dragged. To hold the ends it takes the chord of `D` as well, one row over
-//! the values of `α`, and a rotation for each control point.
+//! the values of `α`, and a rotation for each control point; to meet conditions, one small matrix on the values of `α` first.
+//!
+//! Where curve and scale functions are periodic and the conditions close the curve, `φ_j C'` stay periodic, the last leg leads
+//! back to `d_0`, and `d_0` is such that `D(a) = C(a)`.
 
 use crate::coeff::Coeff;
+use crate::constrain::norm::Norm;
 use crate::error::{Error, Result};
+use crate::fine_tune::condition::Condition;
 use crate::fine_tune::hold::{Ends, Hold, Turnable};
+use crate::fine_tune::nearest_scale::NearestScale;
 use crate::functional::weigh;
 use crate::limits::check_entries;
 use crate::map::LinearMap;
@@ -42,12 +48,16 @@ use std::ops::Range;
 /// ```
 #[derive(Clone, Debug)]
 pub struct FineTuner<T, const N: usize> {
+    /// `C(a)`.
     start: SVector<T, N>,
+    /// For a ring, how far before `D(a)` the point `d_0` is, from the values of `α`.
+    lead: Option<Vec<SVector<T, N>>>,
     space: SplineSpace<T>,
     scales: SplineSpace<T>,
     /// For each axis the differences of control points as rows over the values of `α`.
     legs: Vec<LinearMap<T>>,
     held: Option<HeldEnds<T, N>>,
+    nearest: Option<NearestScale<T>>,
     /// Whether scale functions may have any sign.
     signed: bool,
 }
@@ -74,8 +84,13 @@ impl<T: Scalar, const N: usize> FineTuner<T, N> {
     /// [`DomainMismatch`](Error::DomainMismatch), [`Discontinuous`](Error::Discontinuous),
     /// [`NotFinite`](Error::NotFinite) as [`fine_tuned`](Curve::fine_tuned) has them; [`TooLarge`](Error::TooLarge).
     pub fn free(curve: &Curve<T, N>, scales: &SplineSpace<T>) -> Result<Self> {
-        let speed = curve.derivative()?.clamped_ends()?;
-        let opened = scales.clamped_ends()?;
+        Self::over(curve.derivative()?.clamped_ends()?, scales, curve.at(curve.domain().0)?)
+    }
+
+    /// The map over a derivative that is a ring, or clamped.
+    fn over(speed: Curve<T, N>, scales: &SplineSpace<T>, start: SVector<T, N>) -> Result<Self> {
+        let ring = speed.space().is_periodic();
+        let opened = if ring { scales.clone() } else { scales.clamped_ends()? };
         let opening = scales.embedding(&opened)?;
         let product = speed.space().multiplication(&opened)?;
         let scaled = speed.space().product_space(&opened)?;
@@ -90,14 +105,67 @@ impl<T: Scalar, const N: usize> FineTuner<T, N> {
             }
             Ok(legs)
         };
-        Ok(Self {
-            start: curve.at(curve.domain().0)?,
+        let mut tuner = Self {
+            start,
+            lead: None,
             space: scaled.antiderivative_space()?,
             scales: scales.clone(),
             legs: (0..N).map(legs).collect::<Result<_>>()?,
             held: None,
+            nearest: None,
             signed: false,
-        })
+        };
+        if ring {
+            let at_start = tuner.space.basis(tuner.space.domain().0)?;
+            let mut lead = vec![SVector::zeros(); scales.dim()];
+            // From d_0 to d_i, unrolled: once more around where the indices wrap.
+            let dim = tuner.space.dim();
+            for (i, weight) in (at_start.first()..).zip(at_start.weights()) {
+                for leg in 0..i {
+                    let around = tuner.moments(leg % dim..leg % dim + 1);
+                    lead.iter_mut().zip(&around).for_each(|(sum, moment)| Coeff::add_scaled(sum, weight, moment));
+                }
+            }
+            tuner.lead = Some(lead);
+        }
+        Ok(tuner)
+    }
+
+    /// As [`free`](Self::free), by the [nearest](NearestScale) scale functions with which the curve meets `conditions`.
+    ///
+    /// A periodic curve tuned by periodic scale functions under [`Condition::End`] comes back periodic.
+    ///
+    /// # Errors
+    /// Those of [`free`](Self::free) and [`NearestScale::prepare`].
+    ///
+    /// # Examples
+    /// ```
+    /// use nalgebra::vector;
+    /// use symspline::{Condition, Curve, FineTuner, Norm, Q, Scalar, SplineSpace};
+    /// let polygon = [(0, 0), (4, 0), (5, 3), (1, 4)].map(|(x, y)| vector![Q::int(x), Q::int(y)]);
+    /// let space = SplineSpace::uniform_periodic(2, 4, Q::int(0), Q::int(1))?;
+    /// let curve = Curve::new(space.clone(), polygon.to_vec())?;
+    /// let scales = space.derivative_space()?;
+    /// let tuner = FineTuner::constrained(&curve, &scales, &[Condition::End], Norm::Coefficients)?;
+    /// let tuned = tuner.tuned(&[2, 4, 3, 2].map(|a| Q::frac(a, 2)))?;
+    /// assert!(tuned.space().is_periodic());
+    /// assert_eq!(tuned.at(&Q::int(0))?, curve.at(&Q::int(0))?);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    pub fn constrained(
+        curve: &Curve<T, N>,
+        scales: &SplineSpace<T>,
+        conditions: &[Condition<T, N>],
+        norm: Norm,
+    ) -> Result<Self> {
+        let closes = conditions.contains(&Condition::End);
+        let mut tuner = if closes && curve.space().is_periodic() && scales.is_periodic() {
+            Self::over(curve.derivative()?, scales, curve.at(curve.domain().0)?)?
+        } else {
+            Self::free(curve, scales)?
+        };
+        tuner.nearest = Some(NearestScale::prepare(curve, scales, conditions, norm)?);
+        Ok(tuner)
     }
 
     /// As [`free`](Self::free), with the ends put back as `hold` says.
@@ -147,9 +215,11 @@ impl<T: Scalar, const N: usize> FineTuner<T, N> {
     }
 
     /// Writes the control points of the [tuned](Self::tuned) curve to `points`. While the values of `alpha` are positive
-    /// nothing is allocated and nothing searched; other scale functions are first proved to be positive.
+    /// nothing is searched; other scale functions are first proved to be positive. Under conditions `alpha` is what is wanted,
+    /// and a nearest scale function that is not positive takes a quadratic program.
     ///
     /// # Errors
+    /// Those of [`NearestScale::to`] under conditions;
     /// [`CoefficientCount`](Error::CoefficientCount) unless `alpha` has as many values as its space and `points` as many
     /// places as [`space`](Self::space); [`NotPositive`](Error::NotPositive) and [`Undecided`](Error::Undecided) as
     /// [`fine_tuned`](Curve::fine_tuned); [`NoChord`](Error::NoChord) if the tuned curve is closed but its ends are to be
@@ -159,16 +229,27 @@ impl<T: Scalar, const N: usize> FineTuner<T, N> {
         if let Some(&(expected, found)) = lengths.iter().find(|(expected, found)| expected != found) {
             return Err(Error::CoefficientCount { expected, found });
         }
+        if let Some(nearest) = &self.nearest {
+            let nearest = nearest.near(alpha.to_vec(), self.signed)?;
+            self.tune_freely(&nearest, points);
+            return Ok(());
+        }
         if !self.signed && !alpha.iter().all(|value| *value > T::zero()) {
             Function::new(self.scales.clone(), alpha.to_vec())?.positive_bound()?;
         }
         match &self.held {
-            Some(held) => (held.tune)(self, held, alpha, points),
-            None => {
-                self.walk(self.start.clone(), alpha, 0, points, SVector::clone);
-                Ok(())
-            }
+            Some(held) => (held.tune)(self, held, alpha, points)?,
+            None => self.tune_freely(alpha, points),
         }
+        Ok(())
+    }
+
+    fn tune_freely(&self, alpha: &[T], points: &mut [SVector<T, N>]) {
+        let start = match &self.lead {
+            Some(lead) => self.start.minus(&weigh(0, alpha, lead)),
+            None => self.start.clone(),
+        };
+        self.walk(start, alpha, 0, points, SVector::clone);
     }
 
     fn tune_held(&self, held: &HeldEnds<T, N>, alpha: &[T], points: &mut [SVector<T, N>]) -> Result<()>
@@ -196,15 +277,16 @@ impl<T: Scalar, const N: usize> FineTuner<T, N> {
         points: &mut [SVector<T, N>],
         put: impl Fn(&SVector<T, N>) -> SVector<T, N>,
     ) {
-        let (last, others) = points.split_last_mut().expect("a space has a coefficient");
-        for (i, point) in others.iter_mut().enumerate().skip(from) {
+        let ends = points.len() - 1;
+        for (i, point) in points.iter_mut().enumerate().skip(from) {
             *point = put(&place);
-            for (x, legs) in place.iter_mut().zip(&self.legs) {
-                let (first, weights) = legs.row(i);
-                *x += weigh(first, weights, alpha);
+            if i < ends {
+                for (x, legs) in place.iter_mut().zip(&self.legs) {
+                    let (first, weights) = legs.row(i);
+                    *x += weigh(first, weights, alpha);
+                }
             }
         }
-        *last = put(&place);
     }
 
     /// The sum of some legs as points to be weighed with the values of `α`.

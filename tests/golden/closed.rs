@@ -24,18 +24,18 @@ const FACTOR: f64 = 4.0;
 type Rows<T> = Vec<Vec<T>>;
 
 /// The space of `degree` over the simple knots `0, 1 / m, ...` of period 1.
-fn ring<T: Field>(degree: usize, m: usize) -> Result<SplineSpace<T>> {
+pub fn ring<T: Field>(degree: usize, m: usize) -> Result<SplineSpace<T>> {
     SplineSpace::periodic(degree, (0..m as i64).map(|k| T::of(&Q::frac(k, m as i64))), T::one())
 }
 
 /// The closed quadratic of the polygon.
-fn closed_quadratic<T: Field>(case: Case) -> Result<Curve<T, 2>> {
+pub fn closed_quadratic<T: Field>(case: Case) -> Result<Curve<T, 2>> {
     let polygon: Vec<SVector<T, 2>> = case.get("polygon").points();
     Curve::new(ring(2, polygon.len())?, polygon)
 }
 
 /// The first `count` coefficients of the unrolled space.
-fn unrolled<T: Field>(curve: &Curve<T, 2>, count: usize) -> Rows<T> {
+pub fn unrolled<T: Field>(curve: &Curve<T, 2>, count: usize) -> Rows<T> {
     (0..count).map(|i| row(curve.coeffs()[curve.space().slot(i)].clone())).collect()
 }
 

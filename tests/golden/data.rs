@@ -68,6 +68,12 @@ impl Case {
         self.0.as_array().unwrap_or_else(|| panic!("{} is no list", self.0)).iter().map(Self)
     }
 
+    /// The entries of an object whose keys are indices.
+    pub fn entries(self) -> impl Iterator<Item = (usize, Self)> {
+        let object = self.0.as_object().unwrap_or_else(|| panic!("{} is no object", self.0));
+        object.iter().map(|(key, value)| (key.parse().expect("an index"), Self(value)))
+    }
+
     /// An index, degree or count.
     pub fn integer(self) -> usize {
         self.0.as_u64().unwrap_or_else(|| panic!("{} is no index", self.0)) as usize

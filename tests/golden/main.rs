@@ -12,12 +12,13 @@ mod operators;
 mod removal;
 mod tuning;
 mod closed;
+mod nearest;
 mod curvature;
 mod surface;
 mod rational;
 
 /// The categories tested here, with their numbers of cases.
-const TESTED: [(&str, usize); 23] = [
+const TESTED: [(&str, usize); 25] = [
     ("basis", 22),
     ("curve_ders", 3),
     ("hodograph", 3),
@@ -34,6 +35,8 @@ const TESTED: [(&str, usize); 23] = [
     ("fine_tune_end", 14),
     ("closed_quadratic_to_cubic", 2),
     ("closed_fine_tune_open", 2),
+    ("alpha_preserve_ends", 6),
+    ("closed_alpha_preserve", 2),
     ("curvature2d", 3),
     ("curvature3d", 3),
     ("surface_T", 4),
@@ -56,5 +59,5 @@ fn every_case_is_counted() {
     assert_eq!(ids.len(), tested.iter().map(|(_, count)| count).sum::<usize>());
     ids.sort_unstable();
     ids.dedup();
-    assert_eq!(ids.len(), 140, "distinct cases");
+    assert_eq!(ids.len(), 148, "distinct cases");
 }

@@ -1,0 +1,6 @@
+//! Coefficients that meet linear conditions and are as near as possible to given ones.
+
+pub mod norm;
+mod orthogonal;
+pub mod change;
+pub(crate) mod above;

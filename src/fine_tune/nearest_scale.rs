@@ -1,0 +1,162 @@
+//! The scale function nearest to a wanted one with which the curve meets conditions exactly.
+//!
+//! ```text
+//! |a - a0|_W least,   R a = t:      a = a0 + W^-1 R^T (R W^-1 R^T)^-1 (t - R a0)
+//! ```
+//! with the conditions of [`Condition`] as rows. Where that is not positive the program is solved again with the control
+//! values of `α` at or above a floor, then with those of finer spaces, which come ever nearer to its values. If already the
+//! values of `α` at a few parameters cannot all be at or above the floor, there is no scale function that is.
+
+use crate::constrain::above::{Above, nearest_above};
+use crate::constrain::change::LeastChange;
+use crate::constrain::norm::Norm;
+use crate::error::{Error, Result};
+use crate::fine_tune::condition::{Condition, Rows};
+use crate::scalar::Scalar;
+use crate::space::SplineSpace;
+use crate::spline::{Curve, Function};
+
+/// How often the space is bisected whose control values keep above the floor.
+const REFINEMENTS: usize = 3;
+
+/// Conditions on a fine-tuned curve, prepared for finding scale functions that meet them.
+///
+/// # Examples
+/// A closed curve that stays closed, exactly:
+/// ```
+/// use nalgebra::vector;
+/// use symspline::{Condition, Curve, Function, NearestScale, Norm, Q, Scalar, SplineSpace};
+/// let polygon = [(0, 0), (4, 0), (5, 3), (1, 4)].map(|(x, y)| vector![Q::int(x), Q::int(y)]);
+/// let space = SplineSpace::uniform_periodic(2, 4, Q::int(0), Q::int(1))?;
+/// let curve = Curve::new(space.clone(), polygon.to_vec())?;
+/// let scales = space.derivative_space()?;
+/// let nearest = NearestScale::prepare(&curve, &scales, &[Condition::End], Norm::Coefficients)?;
+/// let wanted = Function::new(scales, [2, 4, 3, 2].map(|a| Q::frac(a, 2)).to_vec())?;
+/// let alpha = nearest.to(&wanted)?;
+/// let tuned = curve.fine_tuned(&alpha)?;
+/// assert_eq!(tuned.at(&Q::int(1))?, tuned.at(&Q::int(0))?);
+/// # Ok::<(), symspline::Error>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct NearestScale<T> {
+    change: LeastChange<T>,
+    norm: Norm,
+    targets: Vec<T>,
+    sources: Vec<usize>,
+    floor: T,
+}
+
+impl<T: Scalar> NearestScale<T> {
+    /// The conditions on fine-tuned versions of `curve` by scale functions in `scales`, nearness measured by `norm`.
+    ///
+    /// # Errors
+    /// [`Error::DomainMismatch`]; [`Error::OutsideDomain`] for a parameter of a condition; [`Error::IndexOutOfRange`];
+    /// [`Error::NotFinite`]; [`Error::Discontinuous`] if the curve may jump; [`Error::TooLarge`].
+    pub fn prepare<const N: usize>(
+        curve: &Curve<T, N>,
+        scales: &SplineSpace<T>,
+        conditions: &[Condition<T, N>],
+        norm: Norm,
+    ) -> Result<Self> {
+        let Rows { rows, targets, sources, .. } = Rows::of(curve, scales, conditions)?;
+        let change = LeastChange::new(scales, &rows, norm)?;
+        Ok(Self { change, norm, targets, sources, floor: T::frac(1, 100) })
+    }
+
+    /// The same with another floor, which the control values keep above where the nearest scale function would not be
+    /// positive; 1/100 at first.
+    ///
+    /// # Errors
+    /// [`Error::NotPositive`] if it is not positive.
+    pub fn above(self, floor: T) -> Result<Self> {
+        if floor.is_finite() && floor > T::zero() {
+            return Ok(Self { floor, ..self });
+        }
+        Err(Error::NotPositive { parameter: "of all".into(), value: floor.to_string() })
+    }
+
+    /// The space of the scale functions.
+    pub fn scales(&self) -> &SplineSpace<T> {
+        self.change.space()
+    }
+
+    /// How many conditions there are on the coefficients, those left out that follow from others.
+    pub fn rank(&self) -> usize {
+        self.change.rank()
+    }
+
+    /// The positive scale function nearest to `wanted` that meets the conditions.
+    ///
+    /// Where the nearest of all is not positive, it is the nearest with control values at or above the
+    /// [floor](Self::above), in its own space or, if there is none, in a finer one.
+    ///
+    /// # Errors
+    /// [`Error::Clash`] if the conditions contradict each other; [`Error::NoPositiveScale`] if no positive scale function
+    /// meets them, or none was found; [`Error::DomainMismatch`], [`Error::TooSmooth`] unless `wanted` is in the space;
+    /// [`Error::Undecided`] if in floating point the search does not end.
+    pub fn to(&self, wanted: &Function<T>) -> Result<Function<T>> {
+        self.nearest(wanted, false)
+    }
+
+    /// As [`to`](Self::to), whatever the sign of the result is.
+    ///
+    /// # Errors
+    /// As [`to`](Self::to), but for positivity.
+    pub fn to_signed(&self, wanted: &Function<T>) -> Result<Function<T>> {
+        self.nearest(wanted, true)
+    }
+
+    fn nearest(&self, wanted: &Function<T>, signed: bool) -> Result<Function<T>> {
+        let scales = self.scales();
+        let wanted = if wanted.space() == scales { wanted.clone() } else { wanted.embedded(scales)? };
+        Function::new(scales.clone(), self.near(wanted.into_coeffs(), signed)?)
+    }
+
+    /// The coefficients of the nearest scale function.
+    pub(crate) fn near(&self, wanted: Vec<T>, signed: bool) -> Result<Vec<T>> {
+        let mut values = wanted.clone();
+        self.change.edit(&mut values, &self.targets).map_err(|error| self.named(error))?;
+        let is_fine = signed
+            || values.iter().all(|value| *value > T::zero())
+            || Function::new(self.scales().clone(), values.clone())?.positive_bound().is_ok();
+        if is_fine { Ok(values) } else { self.nearest_positive(&wanted) }
+    }
+
+    /// The nearest coefficients that are certainly those of a positive function.
+    fn nearest_positive(&self, wanted: &[T]) -> Result<Vec<T>> {
+        let scales = self.scales();
+        let mut finer = scales.clone();
+        for refinement in 0..=REFINEMENTS {
+            let rows = (scales.embedding(&finer)?, &self.floor);
+            let found = nearest_above(&self.change, &self.targets, wanted, (&rows.0, rows.1), self.norm)?;
+            if let Above::Nearest(values) = found {
+                Function::new(scales.clone(), values.clone())?.positive_bound()?;
+                return Ok(values);
+            }
+            if refinement == 0 && self.none_is_positive(wanted)? {
+                return Err(Error::NoPositiveScale { proved: true });
+            }
+            finer = finer.bisected()?;
+        }
+        Err(Error::NoPositiveScale { proved: false })
+    }
+
+    /// Whether already the values at some parameters cannot all be at or above the floor.
+    fn none_is_positive(&self, wanted: &[T]) -> Result<bool> {
+        let scales = self.scales();
+        let places = scales.bisected()?.bisected()?.greville();
+        let (a, b) = scales.domain();
+        let inside: Vec<T> = places.into_iter().filter(|x| a <= x && x <= b).collect();
+        let rows = scales.evaluation(&inside)?;
+        let found = nearest_above(&self.change, &self.targets, wanted, (&rows, &self.floor), self.norm)?;
+        Ok(found == Above::None)
+    }
+
+    /// A clash of rows as one of conditions.
+    fn named(&self, error: Error) -> Error {
+        match error {
+            Error::Clash { condition } => Error::Clash { condition: self.sources[condition] },
+            other => other,
+        }
+    }
+}

@@ -1,0 +1,157 @@
+//! Laws of scale functions under conditions: met exactly, nearest, positive.
+
+use crate::strategies::{
+    ANY, CLAMPED, Kind, RING, cases, curve_and_function, number, point, probes,
+};
+use proptest::prelude::*;
+use symspline::{
+    Condition, Curve, Error, FineTuner, Function, NearestScale, Norm, Q, Scalar, Scale,
+};
+
+const CURVE: Kind = ANY.of_degree(1, 3).smooth(1).few(2);
+const SCALE: Kind = ANY.of_degree(0, 2).few(2);
+const NORMS: [Norm; 2] = [Norm::Coefficients, Norm::L2];
+
+/// Conditions that the curve itself meets.
+fn own(c: &Curve<Q, 2>, choice: usize, x: &Q) -> Vec<Condition<Q, 2>> {
+    let at = |x: &Q| c.at(x).expect("inside");
+    let (a, parameter) = (c.domain().0.clone(), x.clone());
+    match choice {
+        0 => vec![Condition::End],
+        1 => vec![Condition::Point { parameter, point: at(x) }],
+        2 => vec![Condition::Chord { from: parameter, to: a.clone(), chord: at(&a) - at(x) }],
+        3 => vec![Condition::End, Condition::Derivatives { parameter, count: 2 }],
+        4 => vec![Condition::Coefficient { index: 0, value: Q::int(1) }, Condition::End],
+        _ => vec![Condition::Scale { parameter, value: Q::int(1) }],
+    }
+}
+
+proptest! {
+    #![proptest_config(cases(32))]
+
+    #[test]
+    fn what_the_curve_meets_is_kept_exactly(
+        (c, alpha) in curve_and_function::<2>(CURVE, SCALE), choice in 0_usize..6, place in any::<prop::sample::Index>(),
+    ) {
+        let probes = probes(c.space());
+        let x = place.get(&probes);
+        let conditions = own(&c, choice, x);
+        let jumps = alpha.space().breaks().iter().any(|(_, copies)| *copies > alpha.degree());
+        let (a, b) = (c.domain().0.clone(), c.domain().1.clone());
+        for norm in NORMS {
+            let nearest = NearestScale::prepare(&c, alpha.space(), &conditions, norm)?;
+            let found = nearest.to_signed(&alpha)?;
+            let tuned = c.fine_tuned(Scale::Signed(&found))?;
+            let tuner = FineTuner::constrained(&c, alpha.space(), &conditions, norm)?.signed();
+            prop_assert!(tuner.tuned(alpha.coeffs())?.clamped_ends()?.same_function(&tuned)?);
+            prop_assert_eq!(tuner.tuned(found.coeffs())?, tuner.tuned(alpha.coeffs())?);
+            match choice {
+                0 | 4 => prop_assert_eq!(tuned.at(&b)?, c.at_left(&b)?),
+                1 => prop_assert_eq!(tuned.at(x)?, c.at(x)?),
+                2 => prop_assert_eq!(tuned.at(x)? - tuned.at(&a)?, c.at(x)? - c.at(&a)?),
+                3 if !jumps => {
+                    let [new, old] = [&tuned, &c].map(|f| f.derivative().and_then(|d| d.at(x)));
+                    prop_assert_eq!(new?, old?);
+                }
+                _ => {}
+            }
+            // One is a scale that does all this, and stays.
+            let one = Function::constant(alpha.space().clone(), Q::int(1))?;
+            prop_assert_eq!(nearest.to(&one)?, one);
+        }
+    }
+
+    #[test]
+    fn rings_stay_closed((c, alpha) in curve_and_function::<2>(RING.of_degree(1, 3).smooth(1).few(2), RING.of_degree(0, 2).few(2))) {
+        let tuner = FineTuner::constrained(&c, alpha.space(), &[Condition::End], Norm::L2)?.signed();
+        let tuned = tuner.tuned(alpha.coeffs())?;
+        prop_assert!(tuned.space().is_periodic());
+        let found = NearestScale::prepare(&c, alpha.space(), &[Condition::End], Norm::L2)?.to_signed(&alpha)?;
+        prop_assert!(tuned.derivative()?.same_function(&c.derivative()?.times(&found)?)?);
+        prop_assert_eq!(tuned.at(c.domain().0)?, c.at(c.domain().0)?);
+    }
+
+    #[test]
+    fn points_elsewhere_are_reached_or_refused(
+        (c, alpha) in curve_and_function::<2>(CURVE, SCALE), place in any::<prop::sample::Index>(), to in point::<2>(),
+    ) {
+        let probes = probes(c.space());
+        let parameter = place.get(&probes).clone();
+        let condition = Condition::Point { parameter: parameter.clone(), point: to.clone() };
+        match NearestScale::prepare(&c, alpha.space(), &[condition], Norm::L2)?.to_signed(&alpha) {
+            Ok(found) => prop_assert_eq!(c.fine_tuned(Scale::Signed(&found))?.at(&parameter)?, to),
+            Err(error) => prop_assert_eq!(error, Error::Clash { condition: 0 }),
+        }
+    }
+
+    #[test]
+    fn the_nearest_above_a_floor_is_that_of_some_set_of_values_at_it(
+        (c, alpha) in curve_and_function::<2>(CLAMPED.of_degree(1, 3).smooth(1).few(1), CLAMPED.of_degree(0, 2).few(2)),
+        choice in 0_usize..4, lift in number(), norm in 0_usize..2,
+    ) {
+        let (space, n, norm) = (alpha.space(), alpha.space().dim(), NORMS[norm]);
+        prop_assume!(n <= 7);
+        let alpha = alpha.translated(&lift)?;
+        let b = c.domain().1.clone();
+        let conditions = match choice {
+            0 => vec![Condition::End],
+            1 => vec![Condition::Point { parameter: b, point: c.at(c.domain().0)? * Q::frac(1, 3) }],
+            2 => vec![Condition::Scale { parameter: b, value: Q::frac(1, 2) }],
+            _ => vec![Condition::End, Condition::Scale { parameter: b, value: Q::int(2) }],
+        };
+        let floor = Q::frac(1, 10);
+        let nearest = NearestScale::prepare(&c, space, &conditions, norm)?.above(floor.clone())?;
+        let found = nearest.to(&alpha);
+        let Ok(free) = nearest.to_signed(&alpha) else {
+            let clashes = matches!(found, Err(Error::Clash { .. }));
+            prop_assert!(clashes);
+            return Ok(());
+        };
+        if free.positive_bound().is_ok() {
+            prop_assert_eq!(found?, free);
+            return Ok(());
+        }
+        // Every set of values held at the floor.
+        let distance = |f: &Function<Q>| -> symspline::Result<Q> {
+            let change = f.difference(&alpha)?;
+            Ok(match norm {
+                Norm::Coefficients => Q::dot(change.coeffs().iter().zip(change.coeffs())),
+                Norm::L2 => change.inner(&change)?,
+            })
+        };
+        let mut best: Option<(Q, Function<Q>)> = None;
+        for set in 0_u32..1 << n {
+            let mut conditions = conditions.clone();
+            let held = (0..n).filter(|i| set >> i & 1 == 1);
+            conditions.extend(held.map(|index| Condition::Coefficient { index, value: floor.clone() }));
+            let Ok(f) = NearestScale::prepare(&c, space, &conditions, norm)?.to_signed(&alpha) else { continue };
+            if f.coeffs().iter().all(|value| *value >= floor) {
+                let distance = distance(&f)?;
+                if best.as_ref().is_none_or(|(least, _)| distance < *least) {
+                    best = Some((distance, f));
+                }
+            }
+        }
+        match (found, best) {
+            (Ok(found), Some((_, best))) => prop_assert_eq!(found, best),
+            // Values above the floor with a control value below it: found in a finer space only.
+            (Ok(found), None) => prop_assert!(found.positive_bound()? > Q::int(0)),
+            (Err(Error::NoPositiveScale { .. }), None) => {}
+            (found, best) => prop_assert!(false, "{found:?} {best:?}"),
+        }
+    }
+}
+
+#[test]
+fn where_none_is_positive_that_is_said() {
+    // A parabola cannot come back to its start while its tangent keeps to the right.
+    let q = |x: i64, y: i64| nalgebra::vector![Q::int(x), Q::int(y)];
+    let space = symspline::SplineSpace::bezier(2, Q::int(0), Q::int(1)).unwrap();
+    let parabola = Curve::new(space, vec![q(0, 0), q(1, 2), q(2, 0)]).unwrap();
+    let scales = symspline::SplineSpace::uniform(2, 4, Q::int(0), Q::int(1)).unwrap();
+    let conditions = [Condition::Point { parameter: Q::int(1), point: q(0, 0) }];
+    let nearest = NearestScale::prepare(&parabola, &scales, &conditions, Norm::L2).unwrap();
+    let one = Function::constant(scales, Q::int(1)).unwrap();
+    assert!(nearest.to_signed(&one).is_ok());
+    assert_eq!(nearest.to(&one), Err(Error::NoPositiveScale { proved: true }));
+}
