@@ -264,6 +264,15 @@ pub enum Error {
         /// Its index.
         condition: usize,
     },
+    /// An area is that of a plane curve.
+    #[error("an area needs a plane curve, not one in {dimension} dimensions")]
+    NotPlane {
+        /// The dimension of the curve.
+        dimension: usize,
+    },
+    /// Over an exact field an area can be kept where the curve itself meets all other conditions, and only there.
+    #[error("an area is kept exactly only if the curve itself meets all other conditions")]
+    AreaElsewhere,
     /// No positive scale function meets the conditions.
     #[error("no positive scale function of this space meets the conditions{}", if *.proved { "" } else { ", as far as was searched" })]
     NoPositiveScale {

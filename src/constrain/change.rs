@@ -134,6 +134,11 @@ impl<T: Scalar> LeastChange<T> {
         Ok(())
     }
 
+    /// The conditions.
+    pub fn rows(&self) -> &[Functional<T>] {
+        &self.rows
+    }
+
     /// The orthogonal rows.
     pub(crate) fn steps(&self) -> &[Step<T>] {
         &self.steps

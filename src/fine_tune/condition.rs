@@ -64,8 +64,9 @@ pub enum Condition<T, const N: usize> {
     /// The area between the curve and its chord stays, `½ ∫ (D - D(a)) × D'`; plane curves only. For a closed curve it is the
     /// area inside, counted with its sign.
     ///
-    /// The one condition that is not linear: it is met exactly too, but the scale function is nearest only up to what a few
-    /// steps of a quadratic program leave.
+    /// The one condition that is not linear. A few steps with its linear part lead to a scale function that is nearest up to
+    /// second order; over an exact field a last step along a line then meets the area exactly, which takes other conditions
+    /// that the curve itself meets.
     Area,
 }
 
@@ -108,8 +109,8 @@ pub(crate) struct Rows<T> {
     pub targets: Vec<T>,
     /// The condition that each row is of.
     pub sources: Vec<usize>,
-    /// Whether the area is to stay as well.
-    pub area: bool,
+    /// The condition that the area stays, if there is one.
+    pub area: Option<usize>,
 }
 
 impl<T: Scalar> Rows<T> {
@@ -119,7 +120,7 @@ impl<T: Scalar> Rows<T> {
         scales: &SplineSpace<T>,
         conditions: &[Condition<T, N>],
     ) -> Result<Self> {
-        let mut rows = Self { rows: Vec::new(), targets: Vec::new(), sources: Vec::new(), area: false };
+        let mut rows = Self { rows: Vec::new(), targets: Vec::new(), sources: Vec::new(), area: None };
         let (a, b) = curve.domain();
         curve.space().check_same_domain(scales)?;
         for (source, condition) in conditions.iter().enumerate() {
@@ -153,7 +154,7 @@ impl<T: Scalar> Rows<T> {
                 Condition::Coefficient { index, value } => {
                     rows.push(source, Functional::new(*index, [T::one()]), value.clone());
                 }
-                Condition::Area => rows.area = true,
+                Condition::Area => rows.area = Some(source),
             }
         }
         match rows.targets.iter().position(|target| !target.is_finite()) {

@@ -3,5 +3,7 @@
 pub mod scale;
 pub mod hold;
 pub mod condition;
+mod table;
+mod area;
 pub mod nearest_scale;
 pub mod tuner;

@@ -11,13 +11,19 @@ use crate::constrain::above::{Above, nearest_above};
 use crate::constrain::change::LeastChange;
 use crate::constrain::norm::Norm;
 use crate::error::{Error, Result};
+use crate::fine_tune::area::AreaForm;
 use crate::fine_tune::condition::{Condition, Rows};
-use crate::scalar::Scalar;
+use crate::functional::Functional;
+use crate::scalar::{Scalar, larger};
 use crate::space::SplineSpace;
 use crate::spline::{Curve, Function};
 
 /// How often the space is bisected whose control values keep above the floor.
 const REFINEMENTS: usize = 3;
+
+/// How many steps with the linear part of an area there are at most, and over an exact field, where numbers grow with each.
+const STEPS: usize = 100;
+const EXACT_STEPS: usize = 2;
 
 /// Conditions on a fine-tuned curve, prepared for finding scale functions that meet them.
 ///
@@ -38,8 +44,10 @@ const REFINEMENTS: usize = 3;
 /// # Ok::<(), symspline::Error>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct NearestScale<T> {
+pub struct NearestScale<T: Scalar> {
     change: LeastChange<T>,
+    /// The area that is to stay, and the condition that says so.
+    area: Option<(AreaForm<T>, usize)>,
     norm: Norm,
     targets: Vec<T>,
     sources: Vec<usize>,
@@ -58,9 +66,10 @@ impl<T: Scalar> NearestScale<T> {
         conditions: &[Condition<T, N>],
         norm: Norm,
     ) -> Result<Self> {
-        let Rows { rows, targets, sources, .. } = Rows::of(curve, scales, conditions)?;
+        let Rows { rows, targets, sources, area } = Rows::of(curve, scales, conditions)?;
         let change = LeastChange::new(scales, &rows, norm)?;
-        Ok(Self { change, norm, targets, sources, floor: T::frac(1, 100) })
+        let area = area.map(|source| Ok((AreaForm::of(curve, scales)?, source))).transpose()?;
+        Ok(Self { change, area, norm, targets, sources, floor: T::frac(1, 100) })
     }
 
     /// The same with another floor, which the control values keep above where the nearest scale function would not be
@@ -114,12 +123,79 @@ impl<T: Scalar> NearestScale<T> {
 
     /// The coefficients of the nearest scale function.
     pub(crate) fn near(&self, wanted: Vec<T>, signed: bool) -> Result<Vec<T>> {
+        match &self.area {
+            Some((form, source)) => self.near_with_area(&wanted, signed, form, *source),
+            None => self.near_linear(wanted, signed),
+        }
+    }
+
+    /// The same under linear conditions alone.
+    fn near_linear(&self, wanted: Vec<T>, signed: bool) -> Result<Vec<T>> {
         let mut values = wanted.clone();
-        self.change.edit(&mut values, &self.targets).map_err(|error| self.named(error))?;
-        let is_fine = signed
-            || values.iter().all(|value| *value > T::zero())
-            || Function::new(self.scales().clone(), values.clone())?.positive_bound().is_ok();
-        if is_fine { Ok(values) } else { self.nearest_positive(&wanted) }
+        self.change.edit(&mut values, &self.targets).map_err(|error| match error {
+            Error::Clash { condition } => Error::Clash { condition: self.sources[condition] },
+            other => other,
+        })?;
+        if signed || self.is_positive(&values)? { Ok(values) } else { self.nearest_positive(&wanted) }
+    }
+
+    /// Whether the scale function with these coefficients is positive, proved.
+    fn is_positive(&self, values: &[T]) -> Result<bool> {
+        let positive = values.iter().all(|value| *value > T::zero());
+        Ok(positive || Function::new(self.scales().clone(), values.to_vec())?.positive_bound().is_ok())
+    }
+
+    /// The same with the area as one more condition, linear around what was found last.
+    fn near_with_area(
+        &self,
+        wanted: &[T],
+        signed: bool,
+        form: &AreaForm<T>,
+        source: usize,
+    ) -> Result<Vec<T>> {
+        let one = vec![T::one(); wanted.len()];
+        let area = form.value(&one);
+        let mut values = self.near_linear(wanted.to_vec(), signed)?;
+        for _ in 0..if T::EXACT { EXACT_STEPS } else { STEPS } {
+            // aᵀ M a + 2 aᵀ M (a' - a) = A
+            let gradient = form.half_gradient(&values);
+            let target = (T::dot(gradient.iter().zip(&values)) + &area) / T::int(2);
+            let before = values;
+            values = self.with(gradient, target, source)?.near_linear(wanted.to_vec(), signed)?;
+            if values == before {
+                break;
+            }
+        }
+        let meets = |(row, target): (&Functional<T>, &T)| row.apply(&one) == *target;
+        if T::EXACT {
+            if !self.change.rows().iter().zip(&self.targets).all(meets) {
+                return Err(Error::AreaElsewhere);
+            }
+            values = form.opposite(&values).ok_or(Error::Undecided)?;
+        } else {
+            let size = larger(area.magnitude(), form.size(&values));
+            if (form.value(&values) - &area).magnitude() > size * T::frac(1, 1 << 40) {
+                return Err(Error::Undecided);
+            }
+        }
+        if !signed && !self.is_positive(&values)? {
+            return Err(Error::NoPositiveScale { proved: false });
+        }
+        Ok(values)
+    }
+
+    /// The linear conditions with one more.
+    fn with(&self, row: Vec<T>, target: T, source: usize) -> Result<Self> {
+        let rows: Vec<Functional<T>> =
+            self.change.rows().iter().cloned().chain([Functional::new(0, row)]).collect();
+        Ok(Self {
+            change: LeastChange::new(self.scales(), &rows, self.norm)?,
+            area: None,
+            norm: self.norm,
+            targets: self.targets.iter().cloned().chain([target]).collect(),
+            sources: self.sources.iter().copied().chain([source]).collect(),
+            floor: self.floor.clone(),
+        })
     }
 
     /// The nearest coefficients that are certainly those of a positive function.
@@ -150,13 +226,5 @@ impl<T: Scalar> NearestScale<T> {
         let rows = scales.evaluation(&inside)?;
         let found = nearest_above(&self.change, &self.targets, wanted, (&rows, &self.floor), self.norm)?;
         Ok(found == Above::None)
-    }
-
-    /// A clash of rows as one of conditions.
-    fn named(&self, error: Error) -> Error {
-        match error {
-            Error::Clash { condition } => Error::Clash { condition: self.sources[condition] },
-            other => other,
-        }
     }
 }

@@ -1,17 +1,7 @@
-//! Fine tuning of one curve by many scale functions: the map `α ↦ D` prepared.
+//! Fine tuning of one curve by many scale functions, while a value of `α` is dragged: the map `α ↦ D` prepared.
 //!
-//! `D` is linear in `α` but for its start, and the differences of its control points depend on few values of `α` each:
-//!
-//! ```text
-//! d_0 = C(a),   d_{i+1} = d_i + Σ_j α_j l_ij          l_ij: control point i of φ_j C', times (τ_{i+m+1} - τ_i) / (m + 1)
-//! ```
-//!
-//! with `φ_j` the basis of the scale functions, `m` and `τ` degree and knots of `φ_j C'`. So tuning takes a short sum for
-//! each control point, while a value of `α` is dragged. To hold the ends it takes the chord of `D` as well, one row over
-//! the values of `α`, and a rotation for each control point; to meet conditions, one small matrix on the values of `α` first.
-//!
-//! Where curve and scale functions are periodic and the conditions close the curve, `φ_j C'` stay periodic, the last leg leads
-//! back to `d_0`, and `d_0` is such that `D(a) = C(a)`.
+//! Tuning takes a short sum for each control point. To hold the ends it takes the chord of `D` as well, one row over the
+//! values of `α`, and a rotation for each control point; to meet conditions, one small matrix on the values of `α` first.
 
 use crate::coeff::Coeff;
 use crate::constrain::norm::Norm;
@@ -19,14 +9,12 @@ use crate::error::{Error, Result};
 use crate::fine_tune::condition::Condition;
 use crate::fine_tune::hold::{Ends, Hold, Turnable};
 use crate::fine_tune::nearest_scale::NearestScale;
+use crate::fine_tune::table::Table;
 use crate::functional::weigh;
-use crate::limits::check_entries;
-use crate::map::LinearMap;
 use crate::scalar::Scalar;
 use crate::space::SplineSpace;
 use crate::spline::{Curve, Function};
 use nalgebra::SVector;
-use std::ops::Range;
 
 /// A curve prepared for fine tuning by scale functions of one space.
 ///
@@ -47,15 +35,8 @@ use std::ops::Range;
 /// # Ok::<(), symspline::Error>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct FineTuner<T, const N: usize> {
-    /// `C(a)`.
-    start: SVector<T, N>,
-    /// For a ring, how far before `D(a)` the point `d_0` is, from the values of `α`.
-    lead: Option<Vec<SVector<T, N>>>,
-    space: SplineSpace<T>,
-    scales: SplineSpace<T>,
-    /// For each axis the differences of control points as rows over the values of `α`.
-    legs: Vec<LinearMap<T>>,
+pub struct FineTuner<T: Scalar, const N: usize> {
+    table: Table<T, N>,
     held: Option<HeldEnds<T, N>>,
     nearest: Option<NearestScale<T>>,
     /// Whether scale functions may have any sign.
@@ -64,7 +45,7 @@ pub struct FineTuner<T, const N: usize> {
 
 /// What it takes to put the ends back.
 #[derive(Clone, Debug)]
-struct HeldEnds<T, const N: usize> {
+struct HeldEnds<T: Scalar, const N: usize> {
     ends: Ends<T, N>,
     /// Control points before this one and after its mirror image are matched.
     depth: usize,
@@ -84,51 +65,7 @@ impl<T: Scalar, const N: usize> FineTuner<T, N> {
     /// [`DomainMismatch`](Error::DomainMismatch), [`Discontinuous`](Error::Discontinuous),
     /// [`NotFinite`](Error::NotFinite) as [`fine_tuned`](Curve::fine_tuned) has them; [`TooLarge`](Error::TooLarge).
     pub fn free(curve: &Curve<T, N>, scales: &SplineSpace<T>) -> Result<Self> {
-        Self::over(curve.derivative()?.clamped_ends()?, scales, curve.at(curve.domain().0)?)
-    }
-
-    /// The map over a derivative that is a ring, or clamped.
-    fn over(speed: Curve<T, N>, scales: &SplineSpace<T>, start: SVector<T, N>) -> Result<Self> {
-        let ring = speed.space().is_periodic();
-        let opened = if ring { scales.clone() } else { scales.clamped_ends()? };
-        let opening = scales.embedding(&opened)?;
-        let product = speed.space().multiplication(&opened)?;
-        let scaled = speed.space().product_space(&opened)?;
-        check_entries(scaled.dim(), N * (scales.degree() + 1))?;
-        let legs = |axis: usize| {
-            let speeds: Vec<T> = speed.coeffs().iter().map(|c| c[axis].clone()).collect();
-            let table = product.fix_left(&speeds)?.after(&opening)?;
-            let mut legs = LinearMap::empty(table.source_dim(), table.target_dim());
-            for (i, (first, weights)) in table.rows().enumerate() {
-                let mass = scaled.mass(i);
-                legs.push(first, |row| row.extend(weights.iter().map(|w| mass.clone() * w)));
-            }
-            Ok(legs)
-        };
-        let mut tuner = Self {
-            start,
-            lead: None,
-            space: scaled.antiderivative_space()?,
-            scales: scales.clone(),
-            legs: (0..N).map(legs).collect::<Result<_>>()?,
-            held: None,
-            nearest: None,
-            signed: false,
-        };
-        if ring {
-            let at_start = tuner.space.basis(tuner.space.domain().0)?;
-            let mut lead = vec![SVector::zeros(); scales.dim()];
-            // From d_0 to d_i, unrolled: once more around where the indices wrap.
-            let dim = tuner.space.dim();
-            for (i, weight) in (at_start.first()..).zip(at_start.weights()) {
-                for leg in 0..i {
-                    let around = tuner.moments(leg % dim..leg % dim + 1);
-                    lead.iter_mut().zip(&around).for_each(|(sum, moment)| Coeff::add_scaled(sum, weight, moment));
-                }
-            }
-            tuner.lead = Some(lead);
-        }
-        Ok(tuner)
+        Ok(Self { table: Table::open(curve, scales)?, held: None, nearest: None, signed: false })
     }
 
     /// As [`free`](Self::free), by the [nearest](NearestScale) scale functions with which the curve meets `conditions`.
@@ -159,13 +96,13 @@ impl<T: Scalar, const N: usize> FineTuner<T, N> {
         norm: Norm,
     ) -> Result<Self> {
         let closes = conditions.contains(&Condition::End);
-        let mut tuner = if closes && curve.space().is_periodic() && scales.is_periodic() {
-            Self::over(curve.derivative()?, scales, curve.at(curve.domain().0)?)?
+        let table = if closes && curve.space().is_periodic() && scales.is_periodic() {
+            Table::ring(curve, scales)?
         } else {
-            Self::free(curve, scales)?
+            Table::open(curve, scales)?
         };
-        tuner.nearest = Some(NearestScale::prepare(curve, scales, conditions, norm)?);
-        Ok(tuner)
+        let nearest = Some(NearestScale::prepare(curve, scales, conditions, norm)?);
+        Ok(Self { table, held: None, nearest, signed: false })
     }
 
     /// As [`free`](Self::free), with the ends put back as `hold` says.
@@ -179,11 +116,11 @@ impl<T: Scalar, const N: usize> FineTuner<T, N> {
     {
         let mut tuner = Self::free(curve, scales)?;
         if let Some(depth) = hold.depth() {
-            let invariant = curve.clamped_ends()?.embedded(&tuner.space)?;
+            let invariant = curve.clamped_ends()?.embedded(tuner.space())?;
             let ends = Ends::of(invariant.coeffs(), depth)?;
             // A closed curve has no chord either way.
             drop(ends.turn(&SVector::repeat(T::one()))?);
-            let chord = tuner.moments(depth..invariant.coeffs().len() - 1 - depth);
+            let chord = tuner.table.moments(depth..invariant.coeffs().len() - 1 - depth);
             tuner.held = Some(HeldEnds { ends, depth, chord, tune: Self::tune_held });
         }
         Ok(tuner)
@@ -196,12 +133,12 @@ impl<T: Scalar, const N: usize> FineTuner<T, N> {
 
     /// The space of the tuned curves.
     pub fn space(&self) -> &SplineSpace<T> {
-        &self.space
+        &self.table.space
     }
 
     /// The space of the scale functions.
     pub fn scales(&self) -> &SplineSpace<T> {
-        &self.scales
+        &self.table.scales
     }
 
     /// The curve tuned by the scale function with these coefficients.
@@ -209,9 +146,9 @@ impl<T: Scalar, const N: usize> FineTuner<T, N> {
     /// # Errors
     /// Those of [`tune_into`](Self::tune_into); [`NotFinite`](Error::NotFinite) on overflow.
     pub fn tuned(&self, alpha: &[T]) -> Result<Curve<T, N>> {
-        let mut points = vec![SVector::zeros(); self.space.dim()];
+        let mut points = vec![SVector::zeros(); self.space().dim()];
         self.tune_into(alpha, &mut points)?;
-        Curve::new(self.space.clone(), points)
+        Curve::new(self.space().clone(), points)
     }
 
     /// Writes the control points of the [tuned](Self::tuned) curve to `points`. While the values of `alpha` are positive
@@ -225,31 +162,23 @@ impl<T: Scalar, const N: usize> FineTuner<T, N> {
     /// [`fine_tuned`](Curve::fine_tuned); [`NoChord`](Error::NoChord) if the tuned curve is closed but its ends are to be
     /// held. Then `points` is as it was.
     pub fn tune_into(&self, alpha: &[T], points: &mut [SVector<T, N>]) -> Result<()> {
-        let lengths = [(self.scales.dim(), alpha.len()), (self.space.dim(), points.len())];
+        let lengths = [(self.scales().dim(), alpha.len()), (self.space().dim(), points.len())];
         if let Some(&(expected, found)) = lengths.iter().find(|(expected, found)| expected != found) {
             return Err(Error::CoefficientCount { expected, found });
         }
         if let Some(nearest) = &self.nearest {
             let nearest = nearest.near(alpha.to_vec(), self.signed)?;
-            self.tune_freely(&nearest, points);
+            self.table.tune_into(&nearest, points);
             return Ok(());
         }
         if !self.signed && !alpha.iter().all(|value| *value > T::zero()) {
-            Function::new(self.scales.clone(), alpha.to_vec())?.positive_bound()?;
+            Function::new(self.scales().clone(), alpha.to_vec())?.positive_bound()?;
         }
         match &self.held {
             Some(held) => (held.tune)(self, held, alpha, points)?,
-            None => self.tune_freely(alpha, points),
+            None => self.table.tune_into(alpha, points),
         }
         Ok(())
-    }
-
-    fn tune_freely(&self, alpha: &[T], points: &mut [SVector<T, N>]) {
-        let start = match &self.lead {
-            Some(lead) => self.start.minus(&weigh(0, alpha, lead)),
-            None => self.start.clone(),
-        };
-        self.walk(start, alpha, 0, points, SVector::clone);
     }
 
     fn tune_held(&self, held: &HeldEnds<T, N>, alpha: &[T], points: &mut [SVector<T, N>]) -> Result<()>
@@ -259,47 +188,12 @@ impl<T: Scalar, const N: usize> FineTuner<T, N> {
         let HeldEnds { ends, depth, chord, .. } = held;
         let turn = ends.turn(&weigh(0, alpha, chord))?;
         let put = |place: &SVector<T, N>| turn(place).plus_scaled(&T::one(), ends.foot());
-        self.walk(SVector::zeros(), alpha, *depth, points, put);
+        self.table.walk(SVector::zeros(), alpha, *depth, points, put);
         for (k, point) in points.iter_mut().enumerate() {
             if let Some(held) = ends.held(k) {
                 point.clone_from(held);
             }
         }
         Ok(())
-    }
-
-    /// Writes the control points from the one with index `from`, which is at `place`, each as `put` makes it.
-    fn walk(
-        &self,
-        mut place: SVector<T, N>,
-        alpha: &[T],
-        from: usize,
-        points: &mut [SVector<T, N>],
-        put: impl Fn(&SVector<T, N>) -> SVector<T, N>,
-    ) {
-        let ends = points.len() - 1;
-        for (i, point) in points.iter_mut().enumerate().skip(from) {
-            *point = put(&place);
-            if i < ends {
-                for (x, legs) in place.iter_mut().zip(&self.legs) {
-                    let (first, weights) = legs.row(i);
-                    *x += weigh(first, weights, alpha);
-                }
-            }
-        }
-    }
-
-    /// The sum of some legs as points to be weighed with the values of `α`.
-    fn moments(&self, legs: Range<usize>) -> Vec<SVector<T, N>> {
-        let mut moments = vec![SVector::zeros(); self.scales.dim()];
-        for (axis, map) in self.legs.iter().enumerate() {
-            for (first, weights) in legs.clone().map(|i| map.row(i)) {
-                for (k, weight) in weights.iter().enumerate() {
-                    let j = (first + k) % self.scales.dim();
-                    moments[j][axis] += weight;
-                }
-            }
-        }
-        moments
     }
 }

@@ -1,12 +1,8 @@
 //! Laws of scale functions under conditions: met exactly, nearest, positive.
 
-use crate::strategies::{
-    ANY, CLAMPED, Kind, RING, cases, curve_and_function, number, point, probes,
-};
+use crate::strategies::{ANY, CLAMPED, Kind, RING, cases, curve_and_function, number, point, probes};
 use proptest::prelude::*;
-use symspline::{
-    Condition, Curve, Error, FineTuner, Function, NearestScale, Norm, Q, Scalar, Scale,
-};
+use symspline::{Condition, Curve, Error, FineTuner, Function, NearestScale, Norm, Q, Scalar, Scale};
 
 const CURVE: Kind = ANY.of_degree(1, 3).smooth(1).few(2);
 const SCALE: Kind = ANY.of_degree(0, 2).few(2);
@@ -69,6 +65,43 @@ proptest! {
         let found = NearestScale::prepare(&c, alpha.space(), &[Condition::End], Norm::L2)?.to_signed(&alpha)?;
         prop_assert!(tuned.derivative()?.same_function(&c.derivative()?.times(&found)?)?);
         prop_assert_eq!(tuned.at(c.domain().0)?, c.at(c.domain().0)?);
+    }
+
+    #[test]
+    fn areas_are_kept_exactly(
+        (c, alpha) in curve_and_function::<2>(CURVE, SCALE), closed in any::<bool>(), norm in 0_usize..2,
+    ) {
+        prop_assume!(alpha.space().dim() <= 6);
+        let mut conditions = vec![Condition::Area];
+        if closed {
+            conditions.insert(0, Condition::End);
+        }
+        let nearest = NearestScale::prepare(&c, alpha.space(), &conditions, NORMS[norm])?;
+        let area = |d: &Curve<Q, 2>| -> symspline::Result<Q> {
+            let moved = d.translated(&-d.at(d.domain().0)?)?;
+            Ok(moved.cross(&moved.derivative()?)?.integral()? / Q::int(2))
+        };
+        match nearest.to_signed(&alpha) {
+            Ok(found) => {
+                let tuned = c.fine_tuned(Scale::Signed(&found))?;
+                prop_assert_eq!(area(&tuned)?, area(&c)?);
+                if closed {
+                    let b = c.domain().1;
+                    prop_assert_eq!(tuned.at(b)?, c.at_left(b)?);
+                }
+                if let Ok(found) = nearest.to(&alpha) {
+                    prop_assert!(found.positive_bound().is_ok());
+                    prop_assert_eq!(area(&c.fine_tuned(&found)?)?, area(&c)?);
+                }
+            }
+            // The gradient of the area may vanish, or ask for no more than the other conditions do.
+            Err(error) => {
+                let area = conditions.len() - 1;
+                prop_assert!(error == Error::Clash { condition: area } || error == Error::Undecided, "{error}");
+            }
+        }
+        let one = Function::constant(alpha.space().clone(), Q::int(1))?;
+        prop_assert_eq!(nearest.to(&one)?, one);
     }
 
     #[test]
@@ -154,4 +187,84 @@ fn where_none_is_positive_that_is_said() {
     let one = Function::constant(scales, Q::int(1)).unwrap();
     assert!(nearest.to_signed(&one).is_ok());
     assert_eq!(nearest.to(&one), Err(Error::NoPositiveScale { proved: true }));
+}
+
+/// A wave with its scale functions, and a wanted one.
+fn wave<T: Scalar>() -> symspline::Result<(Curve<T, 2>, Function<T>)> {
+    let space = symspline::SplineSpace::uniform(3, 4, T::int(0), T::int(1))?;
+    let points = [(0, 0), (1, 2), (2, -1), (4, 3), (5, 0), (7, 1), (8, 0)];
+    let curve = Curve::new(space, points.map(|(x, y)| nalgebra::vector![T::int(x), T::int(y)]).to_vec())?;
+    let scales = symspline::SplineSpace::uniform(2, 5, T::int(0), T::int(1))?;
+    let wanted = Function::new(scales, [2, 2, 5, 1, 2, 3, 2].map(|a| T::frac(a, 2)).to_vec())?;
+    Ok((curve, wanted))
+}
+
+#[test]
+fn floats_meet_conditions_up_to_rounding() -> symspline::Result<()> {
+    let (c, wanted) = wave::<f64>()?;
+    let conditions = [Condition::End, Condition::Derivatives { parameter: 1.0, count: 2 }, Condition::Area];
+    for norm in NORMS {
+        let alpha = NearestScale::prepare(&c, wanted.space(), &conditions, norm)?.to(&wanted)?;
+        let tuned = c.fine_tuned(&alpha)?;
+        assert!((tuned.at(&1.0)? - c.at(&1.0)?).norm() < 1e-13);
+        for order in [1, 2] {
+            let size = c.derivative_at(&1.0, order)?.norm();
+            assert!(
+                (tuned.derivative_at(&1.0, order)? - c.derivative_at(&1.0, order)?).norm() < 1e-12 * size
+            );
+        }
+        let area = |d: &Curve<f64, 2>| d.cross(&d.derivative()?)?.integral();
+        assert!((area(&tuned)? - area(&c)?).abs() < 1e-9);
+        // And where values would be negative.
+        let strong = wanted.dragged(&0.4, 40.0, Norm::Coefficients)?;
+        let nearest = NearestScale::prepare(&c, wanted.space(), &[Condition::End], norm)?;
+        assert!(nearest.to_signed(&strong)?.coefficient_range().0 < 0.0);
+        let alpha = nearest.to(&strong)?;
+        assert!((alpha.coefficient_range().0 - 0.01).abs() < 1e-9);
+        assert!((c.fine_tuned(&alpha)?.at(&1.0)? - c.at(&1.0)?).norm() < 1e-12);
+    }
+    Ok(())
+}
+
+#[test]
+fn exact_and_floating_programs_agree() -> symspline::Result<()> {
+    let (c, wanted) = wave::<f64>()?;
+    let (exact, exact_wanted) = (c.to_exact()?, wanted.to_exact()?);
+    for norm in NORMS {
+        let nearest = NearestScale::prepare(&c, wanted.space(), &[Condition::End], norm)?;
+        let exactly = NearestScale::prepare(&exact, exact_wanted.space(), &[Condition::End], norm)?;
+        for at in [0.1, 0.3, 0.4, 0.75, 0.9] {
+            let strong = wanted.dragged(&at, 30.0, Norm::Coefficients)?;
+            let found = nearest.to(&strong)?;
+            let expected = exactly.to(&strong.to_exact()?)?.to_f64()?;
+            for (x, y) in found.coeffs().iter().zip(expected.coeffs()) {
+                assert!((x - y).abs() < 1e-10, "{at}: {found:?} {expected:?}");
+            }
+        }
+    }
+    Ok(())
+}
+
+#[test]
+fn what_cannot_be_is_refused() -> symspline::Result<()> {
+    let (c, wanted) = wave::<Q>()?;
+    let prepare =
+        |conditions: &[Condition<Q, 2>]| NearestScale::prepare(&c, wanted.space(), conditions, Norm::L2);
+    let outside = Condition::Scale { parameter: Q::int(2), value: Q::int(1) };
+    assert!(matches!(prepare(&[outside]).unwrap_err(), Error::OutsideDomain { .. }));
+    let none = Condition::Coefficient { index: 7, value: Q::int(1) };
+    assert_eq!(prepare(&[none]).unwrap_err(), Error::IndexOutOfRange { index: 7, length: 7 });
+    let elsewhere = Condition::Scale { parameter: Q::int(0), value: Q::int(2) };
+    assert_eq!(prepare(&[elsewhere, Condition::Area])?.to(&wanted), Err(Error::AreaElsewhere));
+    let below = prepare(&[])?.above(Q::int(0)).unwrap_err();
+    assert!(matches!(below, Error::NotPositive { .. }));
+    let end = Condition::Point { parameter: Q::int(1), point: nalgebra::vector![Q::int(0), Q::int(9)] };
+    assert_eq!(prepare(&[Condition::End, end])?.to(&wanted), Err(Error::Clash { condition: 1 }));
+    let space = symspline::segment(&nalgebra::vector![0.0, 0.0, 0.0], &nalgebra::vector![1.0, 1.0, 1.0])?;
+    let area = NearestScale::prepare(&space, space.space(), &[Condition::Area], Norm::L2).unwrap_err();
+    assert_eq!(area, Error::NotPlane { dimension: 3 });
+    let other = symspline::SplineSpace::bezier(2, Q::int(0), Q::int(2))?;
+    let apart = NearestScale::prepare(&c, &other, &[Condition::End], Norm::L2).unwrap_err();
+    assert!(matches!(apart, Error::DomainMismatch { .. }));
+    Ok(())
 }
