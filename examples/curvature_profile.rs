@@ -2,21 +2,17 @@
 //! tuning.
 #![allow(clippy::print_stdout, reason = "the example reports on standard output")]
 
-use nalgebra::{SVector, vector};
-use std::error::Error;
-use std::path::Path;
-use std::time::Instant;
-use symspline::plot::{Color, Figure, Panel, Style, curve_path};
-use symspline::{
-    Analyse, CurvatureProfile, Curve, Ends, EventKind, Function, Hold, SplineSpace, chord_length,
-};
+mod support;
 
-type Plane = Curve<f64, 2>;
+use std::time::Instant;
+use support::{Outcome, Plane, data, letter, points, target, write};
+use symspline::plot::{Color, Figure, Panel, Style, curve_path};
+use symspline::{Analyse, CurvatureProfile, Ends, EventKind, Function, Hold, SplineSpace, chord_length};
 
 /// A font is drawn on a grid: corners of less than this angle, in radians, are meant to be smooth.
 const SMOOTH: f64 = 0.02;
 
-fn main() -> Result<(), Box<dyn Error>> {
+fn main() -> Outcome<()> {
     let car = car()?;
     let alpha = Function::new(SplineSpace::uniform(2, 4, 0.0, 1.0)?, vec![1.0, 1.0, 0.5, 2.0, 1.0, 1.0])?;
     let tuned = car.fine_tuned_holding(&alpha, Hold::Points)?.curve;
@@ -36,53 +32,10 @@ fn main() -> Result<(), Box<dyn Error>> {
 }
 
 /// A cubic through measured points.
-fn car() -> Result<Plane, Box<dyn Error>> {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/data/car_prius_profile_3.csv");
-    let mut points = Vec::new();
-    for record in csv::Reader::from_path(path)?.records() {
-        let record = record?;
-        points.push(vector![record[1].trim().parse()?, record[2].trim().parse()?]);
-    }
+fn car() -> Outcome<Plane> {
+    let points = points(&data("car_prius_profile_3.csv"))?;
     let space = SplineSpace::uniform(3, 13, 0.0, 1.0)?;
     Ok(Plane::least_squares(&space, &chord_length(&points)?, &points, Ends::Held)?)
-}
-
-/// The outline of a letter: one quadratic piece a unit of the parameter.
-fn letter(name: &str) -> Result<Plane, Box<dyn Error>> {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/data/glyphs_dejavu_serif_quadratic.json");
-    let font: serde_json::Value = serde_json::from_str(&std::fs::read_to_string(path)?)?;
-    let point = |p: &serde_json::Value| Some(vector![p[0].as_f64()?, p[1].as_f64()?]);
-    let mut points: Vec<SVector<f64, 2>> = Vec::new();
-    for command in font["glyphs"][name].as_array().ok_or("no such letter")? {
-        let given = command[1].as_array().ok_or("a command has points")?;
-        let given =
-            given.iter().map(point).collect::<Option<Vec<_>>>().ok_or("points are pairs of numbers")?;
-        match (command[0].as_str(), given.as_slice()) {
-            (Some("moveTo"), [start]) if points.is_empty() => points.push(*start),
-            (Some("lineTo"), [end]) => line(&mut points, *end),
-            (Some("qCurveTo"), [off @ .., end]) => {
-                let between = off.windows(2).map(|pair| (pair[0] + pair[1]) * 0.5).chain([*end]);
-                off.iter().zip(between).for_each(|(off, on)| points.extend([*off, on]));
-            }
-            (Some("closePath"), []) => {
-                let start = points[0];
-                if points[points.len() - 1] != start {
-                    line(&mut points, start);
-                }
-            }
-            _ => return Err("only letters of one outline are read".into()),
-        }
-    }
-    let pieces = points.len() / 2;
-    let inner = (1..pieces).flat_map(|t| [t as f64; 2]);
-    let space = SplineSpace::clamped(2, std::iter::once(0.0).chain(inner).chain([pieces as f64]))?;
-    Ok(Plane::new(space, points)?)
-}
-
-/// Adds a line as a quadratic piece.
-fn line(points: &mut Vec<SVector<f64, 2>>, end: SVector<f64, 2>) {
-    let start = points[points.len() - 1];
-    points.extend([(start + end) * 0.5, end]);
 }
 
 /// The longest part of a curve without a corner.
@@ -94,7 +47,7 @@ fn longest_smooth(curve: &Plane) -> symspline::Result<Plane> {
     longest.map_or(Ok(curve.clone()), |ends| curve.restricted(&ends[0], &ends[1]))
 }
 
-fn report(file: &str, title: &str, unit: &str, curves: &[(&str, &Plane)]) -> Result<(), Box<dyn Error>> {
+fn report(file: &str, title: &str, unit: &str, curves: &[(&str, &Plane)]) -> Outcome<()> {
     let mut plane = Panel::new().title("Curve, comb and events").x_label(unit).equal_axes();
     let mut graph =
         Panel::new().title("Curvature").y_label(format!("κ [1/{unit}]")).x_label("parameter").height(240.0);
@@ -123,17 +76,7 @@ fn report(file: &str, title: &str, unit: &str, curves: &[(&str, &Plane)]) -> Res
         Some(i) => println!("The sequences of events differ from number {} on.\n", i + 1),
     }
     let figure = Figure::new(1000.0).title(title).panel(plane).panel(graph).panel(log_log);
-    for (path, is_svg) in
-        [(format!("target/curvature_{file}.svg"), true), (format!("target/curvature_{file}.png"), false)]
-    {
-        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(path);
-        if is_svg {
-            figure.write_svg(&path)?;
-        } else {
-            figure.write_png(&path, 1.0)?;
-        }
-        println!("wrote {}", path.display());
-    }
+    write(&figure, &target(&format!("curvature_{file}")))?;
     println!();
     Ok(())
 }

@@ -2,16 +2,20 @@
 #![allow(clippy::print_stdout, reason = "the example reports on standard output")]
 //!
 //! Reads measured points, fits a cubic by banded least squares, and computes D = C(a) + ∫ α C' as an exact spline
-//! product and integral: once with the end free, once with both ends held by a rotation and a scaling.
+//! product and integral: with the end free; with ends, tangents and curvatures held by a rotation and a scaling; and by the
+//! nearest scale with which the end stays by itself, so that every tangent keeps its direction.
+
+mod support;
 
 use clap::Parser;
-use nalgebra::{SVector, vector};
-use std::error::Error;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
+use support::{Outcome, Plane, pair};
 use symspline::plot::{Color, Figure, Marker, Panel, Style, curve_path, graph_path};
-use symspline::{Analyse, Curve, Ends, Function, Hold, SplineSpace, chord_length};
+use symspline::{
+    Analyse, Condition, Ends, EventKind, Function, Hold, NearestScale, Norm, SplineSpace, chord_length,
+};
 
 /// Fine-tune a plane curve: scale its derivative by a function, and so its curvature by the inverse.
 #[derive(Parser)]
@@ -42,10 +46,13 @@ fn at_least_four(text: &str) -> Result<usize, String> {
 struct Tuned {
     name: &'static str,
     color: Color,
-    curve: Curve<f64, 2>,
+    curve: Plane,
+    /// What the derivative was scaled by.
+    alpha: Function<f64>,
     /// The factor by which holding the ends scaled the curve.
     scale: f64,
     time: Option<Duration>,
+    drawn: bool,
 }
 
 fn main() -> ExitCode {
@@ -58,12 +65,12 @@ fn main() -> ExitCode {
     }
 }
 
-fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
-    let points = read_points(&arguments.input)?;
+fn run(arguments: &Arguments) -> Outcome<()> {
+    let points = support::points(&arguments.input)?;
     let parameters = chord_length(&points)?;
     let spans = arguments.controls.saturating_sub(3);
     let space = SplineSpace::uniform(3, spans, 0.0, 1.0)?;
-    let curve = Curve::least_squares(&space, &parameters, &points, Ends::Held)?;
+    let curve = Plane::least_squares(&space, &parameters, &points, Ends::Held)?;
 
     let spans = arguments.alpha.len().saturating_sub(2);
     if spans == 0 {
@@ -71,54 +78,47 @@ fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     }
     let alpha = Function::new(SplineSpace::uniform(2, spans, 0.0, 1.0)?, arguments.alpha.clone())?;
 
-    let free = curve.fine_tuned(&alpha)?;
-    let held = curve.fine_tuned_holding(&alpha, Hold::Points)?.curve;
-    let scale = chord(&held) / chord(&free);
     let time = median_time(|| curve.fine_tuned(&alpha).map(drop))?;
-    let tuned = [
-        Tuned { name: "tuned, end free", color: Color::BLUE, curve: free, scale: 1.0, time: Some(time) },
-        Tuned { name: "tuned, ends held", color: Color::VERMILLION, curve: held, scale, time: None },
-    ];
+    let free = Tuned {
+        name: "end free",
+        color: Color::BLUE,
+        curve: curve.fine_tuned(&alpha)?,
+        alpha: alpha.clone(),
+        scale: 1.0,
+        time: Some(time),
+        drawn: true,
+    };
+    let mut tuned = vec![free];
+    for (name, color, hold) in [
+        ("ends held", Color::VERMILLION, Hold::Points),
+        ("tangents held", Color::PURPLE, Hold::Tangents),
+        ("curvatures held", Color::ORANGE, Hold::Curvatures),
+    ] {
+        let held = curve.fine_tuned_holding(&alpha, hold)?;
+        let scale = held.scale();
+        let (curve, alpha, drawn) = (held.curve, alpha.clone(), hold == Hold::Points);
+        tuned.push(Tuned { name, color, curve, alpha, scale, time: None, drawn });
+    }
+    let nearest = NearestScale::prepare(&curve, alpha.space(), &[Condition::End], Norm::L2)?.to(&alpha)?;
+    tuned.push(Tuned {
+        name: "nearest scale",
+        color: Color::GREEN,
+        curve: curve.fine_tuned(&nearest)?,
+        alpha: nearest,
+        scale: 1.0,
+        time: None,
+        drawn: true,
+    });
 
     let residual = curve.largest_squared_residual(&parameters, &points)?.sqrt();
     println!("{} points, fitted to {residual:.3} mm", points.len());
-    print_table(&curve, &alpha, &tuned)?;
+    print_table(&curve, &tuned)?;
     let figure = draw(&curve, &alpha, &tuned)?;
-    for extension in ["svg", "png"] {
-        let mut path = arguments.output.clone().into_os_string();
-        path.push(format!(".{extension}"));
-        let path = PathBuf::from(path);
-        match extension {
-            "svg" => figure.write_svg(&path)?,
-            _ => figure.write_png(&path, 1.0)?,
-        }
-        println!("wrote {}", path.display());
-    }
-    Ok(())
-}
-
-/// The points of a CSV file, its last two columns.
-fn read_points(path: &Path) -> Result<Vec<SVector<f64, 2>>, Box<dyn Error>> {
-    let place = |line: u64| format!("{}, line {line}", path.display());
-    let mut reader = csv::Reader::from_path(path).map_err(|error| format!("{}: {error}", path.display()))?;
-    let mut points = Vec::new();
-    for record in reader.records() {
-        let record = record?;
-        let line = record.position().map_or(0, csv::Position::line);
-        let number = |i: usize| -> Result<f64, String> {
-            let text = record[record.len() - i].trim();
-            text.parse().map_err(|_| format!("{}: '{text}' is not a number", place(line)))
-        };
-        if !(2..=3).contains(&record.len()) {
-            return Err(format!("{}: {} columns, 2 or 3 are needed", place(line), record.len()).into());
-        }
-        points.push(vector![number(2)?, number(1)?]);
-    }
-    Ok(points)
+    support::write(&figure, &arguments.output)
 }
 
 /// The distance of the ends.
-fn chord(curve: &Curve<f64, 2>) -> f64 {
+fn chord(curve: &Plane) -> f64 {
     let points = curve.coeffs();
     (points[points.len() - 1] - points[0]).norm()
 }
@@ -146,93 +146,92 @@ fn samples(space: &SplineSpace<f64>, per_span: u32) -> Vec<f64> {
     breaks.windows(2).flat_map(inside).chain(breaks.last().copied()).collect()
 }
 
-fn print_table(curve: &Curve<f64, 2>, alpha: &Function<f64>, tuned: &[Tuned]) -> symspline::Result<()> {
+/// What is said of each tuned curve. With the ends held by a similarity of scale `s` curvature is `κ / (α s)`.
+fn print_table(curve: &Plane, tuned: &[Tuned]) -> symspline::Result<()> {
     println!();
     println!(
-        "{:<18}{:>7}{:>7}{:>10}{:>26}{:>14}{:>14}{:>12}",
-        "", "degree", "spans", "controls", "max |κ_D α - κ|/max|κ|", "start moved", "end moved", "time"
+        "{:<16}{:>7}{:>10}{:>10}{:>24}{:>14}{:>12}{:>9}{:>10}",
+        "",
+        "degree",
+        "controls",
+        "s",
+        "|κ_D α s - κ| / |κ|max",
+        "tangent turns",
+        "end moved",
+        "extrema",
+        "time"
     );
-    let row = |name: &str, curve: &Curve<f64, 2>| {
-        print!(
-            "{name:<18}{:>7}{:>7}{:>10}",
-            curve.degree(),
-            curve.space().spans().count(),
-            curve.coeffs().len()
-        );
+    let extrema = |curve: &Plane| -> symspline::Result<usize> {
+        let profile = curve.profile()?;
+        Ok(profile.count(EventKind::Maximum) + profile.count(EventKind::Minimum))
     };
-    row("original", curve);
-    println!();
-    let (first, last) = (curve.coeffs()[0], curve.coeffs()[curve.coeffs().len() - 1]);
-    for Tuned { name, curve: d, scale, time, .. } in tuned {
-        let at = samples(d.space(), 16);
-        let kappa = curve.curvature_profile(&at)?;
-        let largest = kappa.iter().fold(0.0_f64, |m, k| m.max(k.abs()));
-        let deviation = at
-            .iter()
-            .zip(&kappa)
-            .map(|(x, k)| Ok((d.curvature_at(x)? * alpha.at(x)?.abs() * scale - k).abs()));
-        let deviation = deviation.collect::<symspline::Result<Vec<f64>>>()?.into_iter().fold(0.0, f64::max);
-        row(name, d);
-        let (start, end) = ((d.coeffs()[0] - first).norm(), (d.coeffs()[d.coeffs().len() - 1] - last).norm());
+    let (degree, controls) = (curve.degree(), curve.coeffs().len());
+    println!("{:<16}{degree:>7}{controls:>10}{:>69}", "original", extrema(curve)?);
+    let at = samples(curve.space(), 16);
+    let kappa = at.iter().map(|x| curve.curvature_at(x)).collect::<symspline::Result<Vec<f64>>>()?;
+    let largest = kappa.iter().fold(0.0_f64, |m, k| m.max(k.abs()));
+    for Tuned { name, curve: d, alpha, scale, time, .. } in tuned {
+        let (mut off, mut turn) = (0.0_f64, 0.0_f64);
+        for (x, k) in at.iter().zip(&kappa) {
+            off = off.max((d.curvature_at(x)? * alpha.at(x)? * scale - k).abs());
+            turn = turn.max(curve.derivative_at(x, 1)?.angle(&d.derivative_at(x, 1)?).to_degrees());
+        }
+        let moved = (d.coeffs()[d.coeffs().len() - 1] - curve.coeffs()[controls - 1]).norm();
         let time = time.map_or(String::new(), |time| format!("{:.1} µs", time.as_secs_f64() * 1e6));
-        println!("{:>26.1e}{start:>11.3} mm{end:>11.3} mm{time:>12}", deviation / largest);
+        println!(
+            "{name:<16}{:>7}{:>10}{scale:>10.4}{:>24.1e}{turn:>13.4}°{moved:>9.3} mm{:>9}{time:>10}",
+            d.degree(),
+            d.coeffs().len(),
+            off / largest,
+            extrema(d)?
+        );
     }
     println!();
-    println!(
-        "Holding both ends scales by {:.6}, so that κ_D α = κ / {0:.6} there: the column is of that.",
-        tuned[1].scale
-    );
     println!("The time is that of differentiation, product and integration (median of 101 runs).");
+    println!(
+        "The nearest scale holds the end without a similarity: no tangent turns, and its own α is what κ_D is of."
+    );
     Ok(())
 }
 
-/// The curves with combs, α, and the curvature profiles.
-fn draw(curve: &Curve<f64, 2>, alpha: &Function<f64>, tuned: &[Tuned]) -> symspline::Result<Figure> {
+/// The curves with combs, the scale functions, and the curvature profiles.
+fn draw(curve: &Plane, alpha: &Function<f64>, tuned: &[Tuned]) -> symspline::Result<Figure> {
     let mut plane =
         Panel::new().title("Profile with curvature combs").x_label("y [mm]").y_label("z [mm]").equal_axes();
     let mut profiles =
         Panel::new().title("Curvature").x_label("parameter").y_label("κ [1/mm]").x_from_above();
-    let original =
-        Tuned { name: "original", color: Color::GRAY, curve: curve.clone(), scale: 1.0, time: None };
-    let all = || std::iter::once(&original).chain(tuned);
-
-    // The tooth of the mean curvature of the original has this part of the chord.
-    let kappa = curve.curvature_profile(&samples(curve.space(), 16))?;
-    let comb_scale = 0.05 * chord(curve) / (kappa.iter().map(|k| k.abs()).sum::<f64>() / kappa.len() as f64);
-    for Tuned { color, curve, .. } in all() {
-        let comb = curve.curvature_comb(&samples(curve.space(), 4), &comb_scale)?;
-        plane = plane.comb(
-            comb.into_iter().map(|(foot, tip)| (pair(foot), pair(tip))),
-            Style::line(*color).width(0.8),
-        );
+    let shown = tuned.iter().filter(|tuned| tuned.drawn);
+    let curves: Vec<(&str, Color, &Plane)> = std::iter::once(("original", Color::GRAY, curve))
+        .chain(shown.clone().map(|tuned| (tuned.name, tuned.color, &tuned.curve)))
+        .collect();
+    let scale = curve.profile()?.comb_scale(0.08 * chord(curve));
+    for (_, color, curve) in &curves {
+        let comb = curve.curvature_comb(&samples(curve.space(), 4), &scale)?;
+        let comb = comb.into_iter().map(|(foot, tip)| (pair(foot), pair(tip)));
+        plane = plane.comb(comb, Style::line(*color).width(0.8));
     }
-    for Tuned { name, color, curve, .. } in all() {
-        plane = plane.path(curve_path(curve, 0.01)?, Style::line(*color).width(2.5)).label(*name);
-        let at = samples(curve.space(), 16);
-        let values = curve.curvature_profile(&at)?;
-        profiles = profiles.polyline(at.into_iter().zip(values), Style::line(*color).width(1.5)).label(*name);
+    for (name, color, curve) in curves {
+        plane = plane.path(curve_path(curve, 0.01)?, Style::line(color).width(2.5)).label(name);
+        profiles = profiles.curvature(&curve.profile()?, Style::line(color).width(1.5)).label(name);
     }
     // What the theory says of the free curve, on top of what it has.
     let at = samples(curve.space(), 16);
-    let predicted =
-        at.iter().zip(curve.curvature_profile(&at)?).map(|(x, k)| Ok((*x, k / alpha.at(x)?.abs())));
+    let predicted = at.iter().map(|x| Ok((*x, curve.curvature_at(x)? / alpha.at(x)?)));
     let predicted = predicted.collect::<symspline::Result<Vec<_>>>()?;
     profiles = profiles
         .polyline(predicted, Style::line(Color::BLACK).width(1.2).dotted())
         .label("κ / α of the original");
-    let controls = alpha.space().greville().into_iter().zip(alpha.coeffs().iter().copied());
-    let scale = Panel::new()
-        .title("Scale function")
-        .y_label("α")
-        .marked_polyline(controls, Marker::Circle, Style::line(Color::GRAY).width(1.0))
-        .label("control values")
-        .path(graph_path(alpha, 1e-4)?, Style::line(Color::GREEN).width(2.0))
-        .label("α")
+    let mut scales = Panel::new().title("Scale functions").y_label("α");
+    for (name, color, alpha) in shown.filter(|tuned| tuned.scale == 1.0).map(|t| (t.name, t.color, &t.alpha))
+    {
+        let controls = alpha.space().greville().into_iter().zip(alpha.coeffs().iter().copied());
+        scales = scales
+            .marked_polyline(controls, Marker::Circle, Style::line(color).width(0.7))
+            .path(graph_path(alpha, 1e-4)?, Style::line(color).width(2.0))
+            .label(format!("α, {name}"));
+    }
+    scales = scales
         .knots(curve.space().breaks().into_iter().map(|(t, _)| t), Color::GRAY)
         .label("knots of the curve");
-    Ok(Figure::new(1100.0).title("Fine tuning a car body profile").panel(plane).panel(scale).panel(profiles))
-}
-
-fn pair(point: SVector<f64, 2>) -> (f64, f64) {
-    (point[0], point[1])
+    Ok(Figure::new(1100.0).title("Fine tuning a car body profile").panel(plane).panel(scales).panel(profiles))
 }
