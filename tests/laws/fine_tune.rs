@@ -76,7 +76,7 @@ proptest! {
         let [alpha_x, wanted] = [alpha.spline.at(&x)?, ratio.at(&x)?];
         let reached = Q::int(1) / &alpha_x;
         prop_assert!(alpha_x > Q::int(0));
-        prop_assert!((reached - &wanted).magnitude() <= alpha.bound.clone() * wanted);
+        prop_assert!((reached - &wanted).magnitude() <= alpha.bound * wanted);
         let constant = Function::constant(ratio.space().clone(), Q::int(lift))?;
         prop_assert_eq!(space.scale_for_curvature_ratio(&constant)?.bound, Q::int(0));
     }

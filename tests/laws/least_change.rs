@@ -68,7 +68,7 @@ proptest! {
         let change = LeastChange::new(space, &[row, Functional::new(0, double)], Norm::L2)?;
         prop_assert_eq!(change.rank(), 1);
         let result = change.edited(&f, &[by.clone(), by.clone() * Q::int(2)]);
-        prop_assert_eq!(result?.at(x)?, by.clone());
+        prop_assert_eq!(&result?.at(x)?, &by);
         let clash = change.edited(&f, &[by.clone(), by * Q::int(2) + Q::int(1)]).unwrap_err();
         prop_assert_eq!(clash, Error::Clash { condition: 1 });
         // In floating point too.
