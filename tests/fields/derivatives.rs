@@ -3,7 +3,7 @@
 use crate::dual::Dual;
 use crate::fraction::Fraction;
 use nalgebra::SVector;
-use symspline::{Curve, Function, Q, Result, Scalar, SplineSpace};
+use symspline::{Curve, Function, Q, Result, Scalar, Scale, SplineSpace};
 
 /// A cubic plane curve with simple and double knots, over any field.
 fn curve<T: Scalar>() -> Result<Curve<T, 2>> {
@@ -42,7 +42,7 @@ fn fine_tuning_is_differentiated_by_a_coefficient() -> Result<()> {
     let unit =
         Function::new(alpha(Q::int(2), Q::int(5))?.space().clone(), [0, 1, 0, 0].map(Q::int).to_vec())?;
     let curve = curve::<Q>()?;
-    let direction = curve.fine_tuned(&unit)?.translated(&-curve.at(&Q::int(0))?)?;
+    let direction = curve.fine_tuned(Scale::Signed(&unit))?.translated(&-curve.at(&Q::int(0))?)?;
     let slopes: Vec<_> = tuned.coeffs().iter().map(|c| c.map(|c| c.slope)).collect();
     assert_eq!(slopes, direction.coeffs());
     let values: Vec<_> = tuned.coeffs().iter().map(|c| c.map(|c| c.value)).collect();

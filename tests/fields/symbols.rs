@@ -2,7 +2,7 @@
 
 use crate::fraction::Fraction;
 use nalgebra::SVector;
-use symspline::{Curve, Error, Function, Q, Result, Scalar, Spline, SplineSpace};
+use symspline::{Curve, Error, Function, Q, Result, Scalar, Scale, Spline, SplineSpace};
 
 /// `a + b x`.
 fn line(a: i64, b: i64) -> Fraction {
@@ -117,7 +117,7 @@ fn fine_tuning_commutes_with_substitution() -> Result<()> {
         };
         let curve = lift(&c)?;
         if curve.space().derivative_space().is_ok() {
-            commutes!(curve = curve, alpha = alpha; curve.fine_tuned(&alpha)?);
+            commutes!(curve = curve, alpha = alpha; curve.fine_tuned(Scale::Signed(&alpha))?);
         }
     }
     Ok(())

@@ -6,7 +6,7 @@
 
 use crate::point;
 use nalgebra::SVector;
-use symspline::{Curve, Function, Q, Result, Scalar, SplineSpace};
+use symspline::{Curve, Function, Q, Result, Scalar, Scale, SplineSpace};
 
 type Point = SVector<Q, 2>;
 
@@ -76,7 +76,8 @@ fn tuned_curve_is_affine_in_the_control_values() -> Result<()> {
     let tuned = curve.fine_tuned(&Function::new(scales.clone(), values.clone())?)?;
     let mut sum = Curve::constant(tuned.space().clone(), start.clone())?;
     for (j, a) in values.iter().enumerate() {
-        let one = curve.fine_tuned(&basis_function(&scales, j)?)?.translated(&-start.clone())?;
+        let one =
+            curve.fine_tuned(Scale::Signed(&basis_function(&scales, j)?))?.translated(&-start.clone())?;
         sum = sum.plus_scaled(a, &one)?;
     }
     assert_eq!(tuned, sum);
