@@ -339,7 +339,7 @@ pub enum Error {
     NoLength,
     /// Held ends cannot be reached by a similarity, because one of the chords has no length.
     #[error(
-        "the ends coincide before or after scaling: no rotation and scaling holds them; closed curves need another method"
+        "the points to be held coincide at both ends, before or after scaling: no rotation and scaling holds them; closed curves stay closed by springs (`fine_tuned_closed`) or exactly by a nearest scale (`Condition::End`)"
     )]
     NoChord,
     /// A text is not a number.
