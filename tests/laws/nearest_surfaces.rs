@@ -5,7 +5,7 @@ use crate::rational_strategies::nurbs_surface;
 use crate::strategies::{ANY, Kind, cases, surface};
 use nalgebra::{SVector, vector};
 use proptest::prelude::*;
-use symspline::{Nearest, NurbsSurface, SplineSpace, Surface, TensorSpline, Weighted, circle};
+use symspline::{Direction, Nearest, NurbsSurface, SplineSpace, Surface, TensorSpline, Weighted, circle};
 
 /// Few patches of low degree.
 const SMALL: Kind = ANY.of_degree(0, 3).few(1);
@@ -41,6 +41,24 @@ fn check(
     Ok(())
 }
 
+/// The least weight at samples of all patches, so that both sides of jumps are among them.
+fn lightest(s: &NurbsSurface<f64, 3>) -> symspline::Result<f64> {
+    let breaks = [s.u(), s.v()].map(|space| space.breaks().into_iter().map(|(t, _)| t).collect::<Vec<_>>());
+    let mut least = f64::INFINITY;
+    for along in breaks[0].windows(2) {
+        let strip = s.lifted().restricted(Direction::U, &along[0], &along[1])?;
+        for across in breaks[1].windows(2) {
+            let patch = strip.restricted(Direction::V, &across[0], &across[1])?;
+            for u in samples(patch.u(), 8) {
+                for v in samples(patch.v(), 8) {
+                    least = least.min(patch.at(&u, &v)?.weight);
+                }
+            }
+        }
+    }
+    Ok(least)
+}
+
 proptest! {
     #![proptest_config(cases(12))]
 
@@ -56,14 +74,7 @@ proptest! {
     #[test]
     fn sampling_finds_nothing_nearer_on_rational_surfaces(s in nurbs_surface::<3>(SMALL.of_degree(0, 2)), point in place::<3>()) {
         let Ok(s) = s.to_f64() else { return Ok(()) };
-        let weights = || s.weights().map(|w| w.abs());
-        let heaviest = weights().fold(0.0, f64::max);
-        let mut lightest = heaviest;
-        for u in samples(s.u(), 8) {
-            for v in samples(s.v(), 8) {
-                lightest = lightest.min(s.lifted().at(&u, &v)?.weight);
-            }
-        }
+        let (heaviest, lightest) = (s.weights().map(|w| w.abs()).fold(0.0, f64::max), lightest(&s)?);
         let points = s.lifted().coeffs().iter().map(|c| c.point.amax()).fold(0.0, f64::max);
         let size = points / lightest + 1.0 + point.amax();
         let nearest = s.nearest(&point, 1e-8 * size)?;

@@ -2,7 +2,7 @@
 
 use crate::analysis::nearest::hull;
 use crate::analysis::nearest::polish::Patch;
-use crate::analysis::nearest::search::{Part, Search, Spot, Verdict};
+use crate::analysis::nearest::search::{PATIENCE, Part, Search, Spot, Verdict};
 use crate::analysis::nearest::split::{count, keep_side};
 use crate::analysis::nearest::square::Gap;
 use nalgebra::SVector;
@@ -36,6 +36,11 @@ impl<const N: usize> Search<'_, N> {
             if self.work > self.patience {
                 self.descend(part);
             }
+            if self.work > WORK / 2 && self.sites.is_none() {
+                // A finer one is a courtesy.
+                self.accuracy = self.wanted;
+                self.cut = self.best.distance - 0.5 * self.accuracy;
+            }
             if n == 1 {
                 self.settle(part, None);
                 return Verdict::Done;
@@ -64,6 +69,12 @@ impl<const N: usize> Search<'_, N> {
             if let Some((axis, side)) = self.side(part, noise) {
                 self.keep(part, axis, side);
                 continue;
+            }
+            // Points without troughs are done before.
+            let level = self.cut + part.slack;
+            if self.work > PATIENCE && self.gap(part, level * level).least(2.0 * noise) >= 0.0 {
+                self.dismisses(self.cut);
+                return Verdict::Done;
             }
             return self.cut_or_end(part);
         }

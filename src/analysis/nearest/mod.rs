@@ -19,6 +19,7 @@ pub mod foot;
 mod split;
 mod hull;
 mod square;
+mod bowl;
 mod ratio;
 mod jet;
 mod pieces;

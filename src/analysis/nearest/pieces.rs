@@ -15,6 +15,10 @@ const HALVINGS: usize = 20_000;
 /// A patch is kept whole if it has more coefficients than this.
 const LARGE: usize = 64;
 
+/// Inner weights of a piece are no smaller than this share of those at corners, which the spline has: a control point
+/// with next to no weight may be anywhere, and the size of all is that of the largest.
+const LIGHT: f64 = 1.0 / 64.0;
+
 /// From where to where in each direction.
 pub(super) type Sides = [(f64, f64); 2];
 
@@ -179,10 +183,12 @@ impl<const N: usize> Pieces<N> {
         Ok(())
     }
 
-    /// In which direction a piece is to be halved, if at all: for positive weights always, and a few times for bends.
+    /// In which direction a piece is to be halved, if at all: for weights well above zero always, and a few times for bends.
     fn axis_to_cut<C: Lifted<N>>(&self, piece: &[C], depth: usize) -> Option<usize> {
         let [p, q] = self.degrees;
-        let positive = piece.iter().all(|c| c.weight() > 0.0);
+        let corners = [0, q, p * (q + 1), p * (q + 1) + q].map(|k| piece[k].weight());
+        let least = LIGHT * corners.into_iter().fold(f64::INFINITY, f64::min);
+        let positive = piece.iter().all(|c| c.weight() > 0.0 && c.weight() >= least);
         if !positive {
             return Some(if q == 0 || (p > 0 && depth.is_multiple_of(2)) { 0 } else { 1 });
         }
@@ -250,5 +256,14 @@ mod tests {
         let pieces = Pieces::new(vec![patch], [Axis::none(), Axis::none()]).unwrap();
         assert!(pieces.roots.len() > 1);
         assert!(pieces.weights.iter().all(|w| *w > 0.0));
+    }
+
+    #[test]
+    fn next_to_no_weight_makes_no_far_point() {
+        let lift = |x: f64, weight: f64| Weighted { point: vector![x], weight };
+        let coeffs = vec![lift(1.0, 1.0), lift(1.0, 1e-17), lift(1.0, 1.0)];
+        let patch = Patch { degrees: [2], sides: [(0.0, 1.0)], coeffs };
+        let pieces = Pieces::new(vec![patch], [Axis::none(), Axis::none()]).unwrap();
+        assert!(pieces.scale.up(1.0) <= 4.0);
     }
 }

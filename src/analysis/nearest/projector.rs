@@ -137,7 +137,8 @@ impl<X: Place, const N: usize> Projector<X, N> {
         check_tolerance(accuracy)?;
         let Some(question) = self.question(point, Some(accuracy))? else { return self.seen_from_afar(point) };
         let mut room = Room::default();
-        let (best, bound) = least(&self.ground, &mut room, question.point, question.fine);
+        let (best, bound) =
+            least(&self.ground, &mut room, question.point, (question.fine, question.accuracy));
         let level = best.distance + question.accuracy;
         let sites = within(&self.ground, &mut room, question.point, question.fine, level);
         let (feet, along) = self.told_apart(&question, best, sites, level)?;
@@ -169,7 +170,8 @@ impl<X: Place, const N: usize> Projector<X, N> {
         let mut feet = match self.question(point, None)? {
             Some(question) => {
                 let mut room = Room::default();
-                let (best, _) = least(&self.ground, &mut room, question.point, question.fine);
+                let (best, _) =
+                    least(&self.ground, &mut room, question.point, (question.fine, question.fine));
                 let level = self.ground.pieces.scale.down(tolerance) + question.noise;
                 let sites = if best.distance <= level {
                     within(&self.ground, &mut room, question.point, question.fine, level)
@@ -192,7 +194,7 @@ impl<X: Place, const N: usize> Projector<X, N> {
         let Some(question) = self.question(point, None)? else {
             return Ok(self.seen_from_afar(point)?.feet.remove(0));
         };
-        let (best, _) = least(&self.ground, room, question.point, question.fine);
+        let (best, _) = least(&self.ground, room, question.point, (question.fine, question.fine));
         self.foot_at(&question.point, best)
     }
 

@@ -12,8 +12,8 @@ use nalgebra::SVector;
 /// How deep the tree may be, and more.
 const DEPTH: usize = 96;
 
-/// After how much work the first descent is made, the next after twice as much.
-const PATIENCE: usize = 1 << 15;
+/// After how much work the first descent is made, the next after twice as much; troughs are looked for from then on.
+pub(super) const PATIENCE: usize = 1 << 15;
 
 /// A part of a piece.
 #[derive(Clone, Debug)]
@@ -101,6 +101,8 @@ pub(super) struct Search<'a, const N: usize> {
     /// What coordinates may be off by, in units of the largest about a part.
     pub(super) epsilon: f64,
     pub(super) accuracy: f64,
+    /// The accuracy that will do after much work.
+    pub(super) wanted: f64,
     /// Parts that come no nearer do not matter.
     pub(super) cut: f64,
     pub(super) best: Spot,
@@ -119,14 +121,16 @@ pub(super) enum Verdict {
     Halve(usize),
 }
 
-/// The least distance of `point`: a point met, and a bound that is lower by less than `accuracy`, if the work suffices.
+/// The least distance of `point`: a point met, and a bound that is lower by less than `accuracy`, after much work by
+/// less than `wanted`, if the work suffices.
 pub(super) fn least<const N: usize>(
     ground: &Ground<N>,
     room: &mut Room<N>,
     point: SVector<f64, N>,
-    accuracy: f64,
+    (accuracy, wanted): (f64, f64),
 ) -> (Spot, f64) {
     let mut search = Search::new(ground, room, point, accuracy, f64::INFINITY, None);
+    search.wanted = wanted;
     search.run();
     let (best, bound) = (search.best, search.bound);
     (best, bound.min(best.distance))
@@ -161,7 +165,8 @@ impl<'a, const N: usize> Search<'a, N> {
     ) -> Self {
         let best = Spot { root: 0, at: [0.0; 2], distance: f64::INFINITY };
         let (bound, work, epsilon) = (f64::INFINITY, 0, epsilon::<N>(ground.pieces.degrees));
-        Self { ground, room, point, epsilon, accuracy, cut, best, bound, sites, work, patience: PATIENCE }
+        let (wanted, patience) = (accuracy, PATIENCE);
+        Self { ground, room, point, epsilon, accuracy, wanted, cut, best, bound, sites, work, patience }
     }
 
     fn run(&mut self) {

@@ -120,7 +120,7 @@ pub(super) struct Gap<'a> {
 
 impl Gap<'_> {
     #[inline]
-    fn at(&self, k: usize) -> f64 {
+    pub(super) fn at(&self, k: usize) -> f64 {
         match self.weights.get(k) {
             Some(weight) => self.points[k] - self.square * weight,
             // A constant tells nothing about slopes.
