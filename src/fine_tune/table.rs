@@ -116,16 +116,17 @@ impl<T: Scalar, const N: usize> Table<T, N> {
         points: &mut [SVector<T, N>],
         put: impl Fn(&SVector<T, N>) -> SVector<T, N>,
     ) {
-        let ends = points.len() - 1;
-        for (i, point) in points.iter_mut().enumerate().skip(from) {
+        // A leg after each, but after the last one of a curve that is open.
+        let legs = self.legs.first().map_or(0, LinearMap::target_dim);
+        let (walked, last) = points.split_at_mut(legs);
+        for (i, point) in walked.iter_mut().enumerate().skip(from) {
             *point = put(&place);
-            if i < ends {
-                for (x, legs) in place.iter_mut().zip(&self.legs) {
-                    let (first, weights) = legs.row(i);
-                    *x += weigh(first, weights, alpha);
-                }
+            for (x, legs) in place.iter_mut().zip(&self.legs) {
+                let (first, weights) = legs.row(i);
+                *x += weigh(first, weights, alpha);
             }
         }
+        last.iter_mut().for_each(|point| *point = put(&place));
     }
 
     /// The sum of some legs as points to be weighed with the values of `α`.
