@@ -97,6 +97,7 @@ pub use error::{Error, Result};
 pub use exact::Q;
 pub use fine_tune::condition::Condition;
 pub use fine_tune::hold::{Held, Hold, Turnable};
+pub use fine_tune::local::LocallyTuned;
 pub use fine_tune::nearest_scale::NearestScale;
 pub use fine_tune::scale::Scale;
 pub use fine_tune::tuner::FineTuner;

@@ -7,3 +7,5 @@ mod table;
 mod area;
 pub mod nearest_scale;
 pub mod tuner;
+pub mod local;
+pub mod repeated;

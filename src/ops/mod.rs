@@ -16,6 +16,7 @@ pub mod inner;
 pub mod join;
 pub mod reverse;
 pub mod reparam;
+pub mod seam;
 mod cuts;
 pub mod compose;
 pub(crate) mod patch;

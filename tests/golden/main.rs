@@ -18,7 +18,7 @@ mod surface;
 mod rational;
 
 /// The categories tested here, with their numbers of cases.
-const TESTED: [(&str, usize); 25] = [
+const TESTED: [(&str, usize); 26] = [
     ("basis", 22),
     ("curve_ders", 3),
     ("hodograph", 3),
@@ -35,6 +35,7 @@ const TESTED: [(&str, usize); 25] = [
     ("fine_tune_end", 14),
     ("closed_quadratic_to_cubic", 2),
     ("closed_fine_tune_open", 2),
+    ("local_fine_tune", 2),
     ("alpha_preserve_ends", 6),
     ("closed_alpha_preserve", 2),
     ("curvature2d", 3),
@@ -59,5 +60,5 @@ fn every_case_is_counted() {
     assert_eq!(ids.len(), tested.iter().map(|(_, count)| count).sum::<usize>());
     ids.sort_unstable();
     ids.dedup();
-    assert_eq!(ids.len(), 148, "distinct cases");
+    assert_eq!(ids.len(), 150, "distinct cases");
 }

@@ -142,6 +142,50 @@ fn fine_tune_end_floats() {
     assert_eq!((held_ones.get(), refused.get()), (13, 1));
 }
 
+/// The portion as it was, and tuned, over both knot vectors; then each sample twice, of the portion and of the whole.
+struct LocalFineTune;
+
+impl Golden for LocalFineTune {
+    const CATEGORY: &'static str = "local_fine_tune";
+    const CASES: usize = 2;
+    const FACTOR: f64 = 8.0;
+
+    fn found<T: Field>(case: Case) -> Result<Answer<T>> {
+        let (curve, alpha) = given::<T, 2>(case)?;
+        let (a, b) = (case.get("a").number::<T>(), case.get("b").number());
+        assert_eq!(alpha.domain(), (&a, &b), "{}", case.id());
+        let local = curve.fine_tuned_on(Scale::Signed(&alpha), hold(case))?;
+        let mut answer = Answer::spline(&curve.restricted(&a, &b)?);
+        let tuned = Answer::spline(&local.tuned().curve);
+        answer.integers.extend(tuned.integers);
+        answer.knots.extend(tuned.knots);
+        answer.rows.extend(tuned.rows);
+        let whole = local.joined()?;
+        for sample in case.get("samples").list() {
+            let t = sample.get("t").number();
+            answer.rows.extend([row(local.tuned().curve.at(&t)?), row(whole.at(&t)?)]);
+        }
+        Ok(answer)
+    }
+
+    fn expected(case: Case) -> Answer<Q> {
+        let mut answer = Answer::expected_spline(case, "n", "segment_U", "segment_P");
+        let tuned = expected(case, "Q");
+        answer.integers.extend(tuned.integers);
+        answer.knots.extend(tuned.knots);
+        answer.rows.extend(tuned.rows);
+        for sample in case.get("samples").list() {
+            answer.rows.extend([sample.get("point").numbers(), sample.get("point").numbers()]);
+        }
+        answer
+    }
+}
+
+#[test]
+fn local_fine_tune() {
+    check::<LocalFineTune>();
+}
+
 /// A held curve needs a control point on either side of the matched ones.
 #[test]
 fn too_few_control_points_are_refused() {

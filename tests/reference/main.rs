@@ -1,6 +1,7 @@
 //! Numbers and identities from the literature. Facts only; each file names its source in the first line.
 
 mod miura;
+mod miura_local;
 mod moments;
 mod nurbs_book;
 mod subdivision;
