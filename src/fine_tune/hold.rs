@@ -136,6 +136,13 @@ pub struct Held<T: Scalar, const N: usize> {
 }
 
 impl<T: Scalar, const N: usize> Held<T, N> {
+    /// A curve that no similarity was applied to.
+    pub(crate) fn free(curve: Curve<T, N>) -> Self {
+        let (a, b) = curve.domain();
+        let similar = Some((a.clone(), b.clone()));
+        Self { image: curve.clone(), curve, squared_scale: T::one(), similar }
+    }
+
     /// At least the largest distance of the curve from its image: what holding more than the end points took.
     ///
     /// # Errors
@@ -206,8 +213,7 @@ where
     pub fn fine_tuned_holding<'a>(&self, alpha: impl Into<Scale<'a, T>>, hold: Hold) -> Result<Held<T, N>> {
         let free = self.fine_tuned(alpha)?;
         let Some(j) = hold.depth() else {
-            let similar = Some(free.domain()).map(|(a, b)| (a.clone(), b.clone()));
-            return Ok(Held { curve: free.clone(), image: free, squared_scale: T::one(), similar });
+            return Ok(Held::free(free));
         };
         let invariant = self.clamped_ends()?.embedded(free.space())?;
         let ends = Ends::of(invariant.coeffs(), j)?;

@@ -13,12 +13,15 @@
 //! These `B_k` and their derivatives up to order `j` vanish at `a` and `b`. So they are basis functions of `W` as well if
 //! it has `p - j` copies of `a` and `b`: there control points are copied, and everywhere else `I` stays.
 
+use crate::constrain::norm::Norm;
 use crate::error::{Error, Result};
+use crate::fine_tune::condition::Condition;
 use crate::fine_tune::hold::{Held, Hold, Turnable};
+use crate::fine_tune::nearest_scale::NearestScale;
 use crate::fine_tune::scale::Scale;
 use crate::scalar::Scalar;
 use crate::space::SplineSpace;
-use crate::spline::Curve;
+use crate::spline::{Curve, Function};
 use nalgebra::SVector;
 use std::iter::repeat_n;
 
@@ -35,7 +38,7 @@ pub struct LocallyTuned<T: Scalar, const N: usize> {
     before: Option<Curve<T, N>>,
     tuned: Held<T, N>,
     after: Option<Curve<T, N>>,
-    hold: Hold,
+    order: usize,
 }
 
 impl<T: Scalar, const N: usize> LocallyTuned<T, N> {
@@ -59,9 +62,10 @@ impl<T: Scalar, const N: usize> LocallyTuned<T, N> {
         self.after.as_ref()
     }
 
-    /// What was held at the ends of the portion.
-    pub fn hold(&self) -> Hold {
-        self.hold
+    /// The order of the derivatives that agree with those of the curve at both ends of the portion: 0 for the points alone, 1
+    /// for tangents, 2 for curvatures.
+    pub fn order(&self) -> usize {
+        self.order
     }
 
     /// Start and end of the portion.
@@ -69,9 +73,12 @@ impl<T: Scalar, const N: usize> LocallyTuned<T, N> {
         self.tuned.curve.domain()
     }
 
-    /// The order of the derivatives that agree with those of the curve at both ends of the portion.
-    pub(crate) fn order(&self) -> usize {
-        self.hold.depth().unwrap_or(0)
+    /// The curve with this in the place of a portion.
+    fn around(original: &Curve<T, N>, tuned: Held<T, N>, order: usize) -> Result<Self> {
+        let ((start, end), (a, b)) = (original.domain(), tuned.curve.domain());
+        let piece = |a: &T, b: &T| (a != b).then(|| original.restricted(a, b)).transpose();
+        let (before, after) = (piece(start, a)?, piece(b, end)?);
+        Ok(Self { original: original.clone(), before, tuned, after, order })
     }
 
     /// The pieces as one spline, of degree `n + q` if the scale function has degree `q`.
@@ -202,7 +209,7 @@ where
         hold: Hold,
     ) -> Result<LocallyTuned<T, N>> {
         let alpha = alpha.into().function()?;
-        let ((start, end), (a, b)) = (self.domain(), alpha.domain());
+        let (end, (a, b)) = (self.domain().1, alpha.domain());
         let middle = self.restricted(a, b)?;
         let tuned = middle.fine_tuned_holding(Scale::Signed(alpha), hold)?;
         let goes_on = b != end || self.space().is_periodic();
@@ -213,8 +220,46 @@ where
                 return Err(Error::EndsDoNotMeet { left: format!("{left:?}"), right: format!("{right:?}") });
             }
         }
-        let piece = |a: &T, b: &T| (a != b).then(|| self.restricted(a, b)).transpose();
-        let (before, after) = (piece(start, a)?, piece(b, end)?);
-        Ok(LocallyTuned { original: self.clone(), before, tuned, after, hold })
+        LocallyTuned::around(self, tuned, hold.depth().unwrap_or(0))
+    }
+}
+
+impl<T: Scalar, const N: usize> Curve<T, N> {
+    /// As [`fine_tuned_on`](Self::fine_tuned_on), by the [nearest](NearestScale) positive scale function with which the portion
+    /// ends where it did, and derivatives up to `order` stay at both ends: no similarity turns the portion, so every tangent
+    /// keeps its direction, and `κ_D = κ / α` holds inside it.
+    ///
+    /// Order 0 meets the rest with `C0` and `G1`, order 1 with `C1` and `G2`, since `α = 1` there keeps the curvature too, and
+    /// order 2 with `C2`, all as far as the curve itself was as smooth.
+    ///
+    /// # Errors
+    /// [`Error::OutsideDomain`] unless the domain of `wanted` lies inside that of the curve; [`Error::Discontinuous`] if the curve
+    /// may jump inside the portion; those of [`NearestScale::to`]; [`Error::SpanOutOfRange`] if in `f64` knots are too near.
+    ///
+    /// # Examples
+    /// ```
+    /// use nalgebra::vector;
+    /// use symspline::{Curve, Function, Norm, Q, Scalar, SplineSpace};
+    /// let points = [(0, 0), (1, 2), (3, 2), (4, 0)].map(|(x, y)| vector![Q::int(x), Q::int(y)]).to_vec();
+    /// let curve = Curve::new(SplineSpace::clamped(2, [0, 2, 4].map(Q::int))?, points)?;
+    /// let scales = SplineSpace::uniform(2, 6, Q::int(1), Q::int(3))?;
+    /// let wanted = Function::constant(scales, Q::int(1))?.dragged(&Q::int(2), Q::int(3), Norm::Coefficients)?;
+    /// let local = curve.fine_tuned_on_by_nearest(&wanted, 1, Norm::L2)?;
+    /// let end = local.after().map(|piece| piece.derivatives_at(&Q::int(3), 1)).transpose()?;
+    /// assert_eq!(end, Some(local.tuned().curve.derivatives_at(&Q::int(3), 1)?));
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    pub fn fine_tuned_on_by_nearest(
+        &self,
+        wanted: &Function<T>,
+        order: usize,
+        norm: Norm,
+    ) -> Result<LocallyTuned<T, N>> {
+        let (a, b) = wanted.domain();
+        let middle = self.restricted(a, b)?;
+        let kept = |parameter: &T| Condition::Derivatives { parameter: parameter.clone(), count: order };
+        let conditions = [Condition::End, kept(a), kept(b)];
+        let alpha = NearestScale::prepare(&middle, wanted.space(), &conditions, norm)?.to(wanted)?;
+        LocallyTuned::around(self, Held::free(middle.fine_tuned(&alpha)?), order)
     }
 }
