@@ -52,12 +52,8 @@ fn compare(curve: &Plane) -> Outcome<()> {
     println!("{:>22}{:>8}{:>10}{:>10}{:>14}", "", "degree", "controls", "extrema", "moved, most");
     let mut plane =
         Panel::new().title("The front of an airfoil").equal_axes().height(340.0).x_range(-0.02, 0.62);
-    let mut graph = Panel::new()
-        .title("Curvature")
-        .y_label("κ")
-        .x_label("parameter")
-        .x_range(0.2, 0.5)
-        .y_range(0.0, 2.5);
+    let mut graph =
+        Panel::new().title("Curvature").y_label("κ").x_label("parameter").x_range(0.2, 0.5).y_range(0.0, 2.5);
     for (name, color, version) in &versions {
         let profile = version.profile()?;
         let extrema = profile.count(EventKind::Maximum) + profile.count(EventKind::Minimum);

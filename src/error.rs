@@ -342,6 +342,18 @@ pub enum Error {
         "the points to be held coincide at both ends, before or after scaling: no rotation and scaling holds them; closed curves stay closed by springs (`fine_tuned_closed`) or exactly by a nearest scale (`Condition::End`)"
     )]
     NoChord,
+    /// A spring constant is not a positive number.
+    #[error("the spring constant {constant} is not a positive number")]
+    SpringConstant {
+        /// The constant.
+        constant: String,
+    },
+    /// A leg of a control polygon has no length, so that it makes no angle with the next.
+    #[error("leg {index} of the control polygon has no length, its angles are undefined")]
+    ZeroLeg {
+        /// The index of the leg.
+        index: usize,
+    },
     /// A text is not a number.
     #[error("'{text}' is not a fraction p/q: {reason}")]
     NotANumber {

@@ -3,3 +3,4 @@
 pub mod parameters;
 pub mod fit;
 pub mod conics;
+pub mod closed;

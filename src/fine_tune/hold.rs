@@ -107,7 +107,7 @@ fn reflected<T: Real>(v: &SVector<T, 3>, normal: &SVector<T, 3>) -> SVector<T, 3
 }
 
 /// A unit vector across `v`.
-fn across<T: Real>(v: &SVector<T, 3>) -> SVector<T, 3> {
+pub(crate) fn across<T: Real>(v: &SVector<T, 3>) -> SVector<T, 3> {
     let least = if v[0].magnitude() <= v[1].magnitude() && v[0].magnitude() <= v[2].magnitude() {
         vector![T::one(), T::zero(), T::zero()]
     } else if v[1].magnitude() <= v[2].magnitude() {

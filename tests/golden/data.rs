@@ -85,6 +85,11 @@ impl Case {
         T::of(&text.parse().unwrap_or_else(|error| panic!("{error}")))
     }
 
+    /// A number of a floating-point case.
+    pub fn float(self) -> f64 {
+        self.0.as_f64().unwrap_or_else(|| panic!("{} is no float", self.0))
+    }
+
     /// A list of numbers.
     pub fn numbers<T: Field>(self) -> Vec<T> {
         self.list().map(Self::number).collect()

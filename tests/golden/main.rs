@@ -13,12 +13,13 @@ mod removal;
 mod tuning;
 mod closed;
 mod nearest;
+mod spring;
 mod curvature;
 mod surface;
 mod rational;
 
 /// The categories tested here, with their numbers of cases.
-const TESTED: [(&str, usize); 26] = [
+const TESTED: [(&str, usize); 27] = [
     ("basis", 22),
     ("curve_ders", 3),
     ("hodograph", 3),
@@ -35,6 +36,7 @@ const TESTED: [(&str, usize); 26] = [
     ("fine_tune_end", 14),
     ("closed_quadratic_to_cubic", 2),
     ("closed_fine_tune_open", 2),
+    ("closed_spring", 2),
     ("local_fine_tune", 2),
     ("alpha_preserve_ends", 6),
     ("closed_alpha_preserve", 2),
@@ -60,5 +62,5 @@ fn every_case_is_counted() {
     assert_eq!(ids.len(), tested.iter().map(|(_, count)| count).sum::<usize>());
     ids.sort_unstable();
     ids.dedup();
-    assert_eq!(ids.len(), 150, "distinct cases");
+    assert_eq!(ids.len(), 152, "distinct cases");
 }

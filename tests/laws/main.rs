@@ -57,6 +57,7 @@ mod hold;
 mod local;
 mod repeated;
 mod nearest_scale;
+mod closed;
 mod surface;
 mod rational;
 mod rational_arithmetic;
