@@ -1,4 +1,4 @@
-//! Fine tuning of closed curves, which a free end would open: the outline of a cat, and the curve of a triangle.
+//! Fine tuning of closed curves, which a free end would open: the outline of a cat, and the curve of a pentagon.
 //!
 //! Two ways keep them closed. Springs relax the control polygon towards the lengths and angles of the unclosed curve, after
 //! Miura, Cheng and Wang. The nearest scale function with which the curve closes does it exactly: every tangent keeps its
@@ -15,12 +15,11 @@ use symspline::{
 };
 
 fn main() -> Outcome<()> {
-    let triangle = [vector![0.0, 0.0], vector![4.0, 0.0], vector![2.0, 3.5]];
-    let space = SplineSpace::uniform_periodic(2, 3, 0.0, 1.0)?;
-    let triangle = Plane::new(space.clone(), triangle.to_vec())?;
+    let polygon = [[0.0, 0.0], [4.0, 0.0], [5.0, 2.5], [2.0, 5.0], [-1.0, 2.5]].map(|[x, y]| vector![x, y]);
+    let pentagon = Plane::closed(2, polygon.to_vec())?;
     // Each control value belongs to the joint in the middle of a leg: the bottom one is raised.
-    let alpha = Function::new(space.derivative_space()?, vec![2.2, 1.0, 1.0])?;
-    report("Chaikin's curve of a triangle", "triangle", &triangle, &alpha)?;
+    let alpha = Function::closed(1, vec![2.2, 1.0, 1.0, 1.0, 1.0])?;
+    report("Chaikin's curve of a pentagon", "pentagon", &pentagon, &alpha)?;
 
     let cat = cat(48)?;
     let scales = SplineSpace::uniform_periodic(2, 12, 0.0, 1.0)?;
