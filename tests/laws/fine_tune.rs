@@ -3,7 +3,7 @@
 use crate::strategies::{ANY, CLAMPED, Kind, cases, curve, curve_and_function, function, number};
 use nalgebra::SVector;
 use proptest::prelude::*;
-use symspline::{Curve, Error, FineTuner, Function, Q, Scalar, Scale, SplineSpace};
+use symspline::{Analyse, Curve, Error, FineTuner, Function, Hold, Q, Scalar, Scale, SplineSpace};
 
 /// Curves that have a derivative.
 const CURVE: Kind = ANY.of_degree(1, 4).smooth(1);
@@ -185,4 +185,51 @@ fn a_standing_point_stays_where_it_is() -> symspline::Result<()> {
     let tuned = still.fine_tuned(Scale::Signed(&Function::monomial(2, Q::int(0), Q::int(1))?))?;
     assert!(tuned.same_function(&still)?);
     Ok(())
+}
+
+/// A curve of no length stays what it is, and has no ends that could be held.
+#[test]
+fn a_curve_without_length_has_nothing_to_tune() -> symspline::Result<()> {
+    let space = SplineSpace::uniform(3, 4, Q::int(0), Q::int(1))?;
+    let still = Curve::constant(space.clone(), SVector::from([Q::int(2), Q::int(3)]))?;
+    let alpha = Function::constant(space.derivative_space()?, Q::int(2))?;
+    assert!(still.fine_tuned(&alpha)?.same_function(&still)?);
+    for hold in [Hold::Points, Hold::Tangents, Hold::Curvatures] {
+        assert_eq!(still.fine_tuned_holding(&alpha, hold).unwrap_err(), Error::NoChord);
+        assert_eq!(FineTuner::prepare(&still, alpha.space(), hold).unwrap_err(), Error::NoChord);
+    }
+    let other = Function::monomial(1, Q::int(0), Q::int(2))?.translated(&Q::int(1))?;
+    assert!(matches!(still.fine_tuned(&other), Err(Error::DomainMismatch { .. })));
+    assert!(matches!(FineTuner::free(&still, other.space()), Err(Error::DomainMismatch { .. })));
+    Ok(())
+}
+
+proptest! {
+    #![proptest_config(cases(16))]
+
+    #[test]
+    fn curvature_is_divided_in_floats_too(
+        (c, alpha) in curve_and_function::<3>(ANY.of_degree(2, 4).smooth(2), ANY.of_degree(1, 2).smooth(1)), lift in 1_i64..4,
+    ) {
+        let (low, _) = alpha.coefficient_range();
+        let alpha = alpha.translated(&(Q::int(lift) - low))?;
+        let (Ok(curve), Ok(scale)) = (c.to_f64(), alpha.to_f64()) else { return Ok(()) };
+        let Ok(tuned) = curve.fine_tuned(&scale) else { return Ok(()) };
+        let (a, b) = (*curve.domain().0, *curve.domain().1);
+        for x in (0..20).map(|i| a + (b - a) * (f64::from(i) + 0.3) / 20.0) {
+            let [d, e] = [curve.derivatives_at(&x, 2)?, tuned.derivatives_at(&x, 2)?];
+            // Where both derivatives keep some digits.
+            let sizes = |f: &Curve<f64, 3>, order: usize| -> symspline::Result<f64> {
+                Ok(f.nth_derivative(order)?.size_bound()?)
+            };
+            let kept = |d: &[SVector<f64, 3>], f: &Curve<f64, 3>| -> symspline::Result<bool> {
+                Ok((1..3).all(|k| sizes(f, k).is_ok_and(|size| d[k].norm() > 1e-3 * size)))
+            };
+            let across = d[1].cross(&d[2]).norm() > 1e-3 * d[1].norm() * d[2].norm();
+            if across && kept(&d, &curve)? && kept(&e, &tuned)? {
+                let ratio = tuned.curvature_at(&x)? * scale.at(&x)? / curve.curvature_at(&x)?;
+                prop_assert!((ratio - 1.0).abs() < 1e-8, "{ratio} at {x}");
+            }
+        }
+    }
 }
