@@ -273,8 +273,8 @@ pub enum Error {
     /// Over an exact field an area can be kept where the curve itself meets all other conditions, and only there.
     #[error("an area is kept exactly only if the curve itself meets all other conditions")]
     AreaElsewhere,
-    /// No positive scale function meets the conditions.
-    #[error("no positive scale function of this space meets the conditions{}", if *.proved { "" } else { ", as far as was searched" })]
+    /// No scale function with all its values at or above the floor meets the conditions.
+    #[error("no scale function of this space that keeps above the floor meets the conditions{}", if *.proved { "" } else { ", as far as was searched" })]
     NoPositiveScale {
         /// Whether it is proved that none has all its values at or above the floor.
         proved: bool,

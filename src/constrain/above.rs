@@ -12,6 +12,8 @@ use crate::constrain::change::LeastChange;
 use crate::constrain::norm::Norm;
 use crate::constrain::orthogonal::{Split, Step, split};
 use crate::error::{Error, Result};
+use crate::functional::weigh;
+use crate::limits::check_entries;
 use crate::map::LinearMap;
 use crate::scalar::{Scalar, larger};
 
@@ -76,7 +78,7 @@ impl<T: Scalar> Held<T> {
 /// `rows` at least `floor`.
 ///
 /// # Errors
-/// Those of [`LeastChange::edit`]; [`Error::Undecided`] if in floating point it does not end.
+/// Those of [`LeastChange::edit`]; [`Error::TooLarge`]; [`Error::Undecided`] if in floating point it does not end.
 pub(crate) fn nearest_above<T: Scalar>(
     change: &LeastChange<T>,
     targets: &[T],
@@ -85,6 +87,7 @@ pub(crate) fn nearest_above<T: Scalar>(
     norm: Norm,
 ) -> Result<Above<T>> {
     let n = wanted.len();
+    check_entries(rows.target_dim(), n)?;
     let dense: Vec<Vec<T>> = (0..rows.target_dim())
         .map(|i| {
             let mut row = vec![T::zero(); n];
@@ -100,7 +103,10 @@ pub(crate) fn nearest_above<T: Scalar>(
 
     let mut x = wanted.to_vec();
     change.edit(&mut x, targets)?;
-    let slack = |i: usize, x: &[T]| T::dot(dense[i].iter().zip(x)) - floor;
+    let slack = |i: usize, x: &[T]| {
+        let (first, weights) = rows.row(i);
+        weigh(first, weights, x) - floor
+    };
     let steps = change.steps().to_vec();
     let mut held =
         Held { rows: Vec::new(), multipliers: Vec::new(), shares: Vec::new(), equations: steps.len(), steps };

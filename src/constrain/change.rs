@@ -35,6 +35,8 @@ use crate::spline::Spline;
 pub struct LeastChange<T> {
     space: SplineSpace<T>,
     rows: Vec<Functional<T>>,
+    /// What the rows are divided by before they are taken apart, so that no square overflows or vanishes.
+    sizes: Vec<T>,
     splits: Vec<Vec<T>>,
     /// The step of each row that does not depend on those before it.
     own: Vec<Option<usize>>,
@@ -60,7 +62,11 @@ impl<T: Scalar> LeastChange<T> {
                 return Err(Error::NotFinite { what: "weight", index });
             }
         }
-        let dense: Vec<Vec<T>> = rows.iter().map(|row| row.to_dense(n)).collect();
+        let mut dense: Vec<Vec<T>> = rows.iter().map(|row| row.to_dense(n)).collect();
+        let sizes: Vec<T> = dense.iter().map(|row| size(row)).collect();
+        if !T::EXACT {
+            dense.iter_mut().zip(&sizes).for_each(|(row, size)| T::divide(row, size));
+        }
         let changes = norm.changes(space, &dense)?;
         let (mut steps, mut splits, mut own) = (Vec::new(), Vec::new(), Vec::new());
         for (row, change) in dense.iter().zip(&changes) {
@@ -69,7 +75,7 @@ impl<T: Scalar> LeastChange<T> {
             splits.push(shares);
             steps.extend(rest);
         }
-        Ok(Self { space: space.clone(), rows: rows.to_vec(), splits, own, steps })
+        Ok(Self { space: space.clone(), rows: rows.to_vec(), sizes, splits, own, steps })
     }
 
     /// The space of the splines.
@@ -101,30 +107,39 @@ impl<T: Scalar> LeastChange<T> {
     /// Changes `coeffs` as [`edited`](Self::edited) does.
     ///
     /// # Errors
-    /// [`Error::CoefficientCount`], [`Error::Clash`]. Then `coeffs` are as they were.
+    /// [`Error::CoefficientCount`], [`Error::Clash`]; [`Error::NotFinite`] where overflow hides whether there is one. Then
+    /// `coeffs` are as they were.
     pub fn edit<C: Coeff<T>>(&self, coeffs: &mut [C], targets: &[C]) -> Result<()> {
         let lengths = [(self.space.dim(), coeffs.len()), (self.rows.len(), targets.len())];
         if let Some(&(expected, found)) = lengths.iter().find(|(expected, found)| expected != found) {
             return Err(Error::CoefficientCount { expected, found });
         }
-        let largest = coeffs.iter().map(C::squared_size).fold(T::zero(), larger);
+        let largest = coeffs.iter().map(extent).fold(T::zero(), larger);
         let mut multiples: Vec<C> = Vec::with_capacity(self.steps.len());
         for (i, (row, target)) in self.rows.iter().zip(targets).enumerate() {
+            let mut target = target.clone();
             // What the steps before leave to be met.
             let mut gap = target.minus(&row.apply(coeffs));
-            let mass = row.weights().iter().fold(T::zero(), |sum, w| sum + w.magnitude());
-            let mut size = larger(target.squared_size(), largest.clone() * &mass * mass);
+            let mut mass = row.weights().iter().fold(T::zero(), |sum, w| sum + w.magnitude());
+            if !T::EXACT {
+                let by = &self.sizes[i];
+                gap.divide(by);
+                target.divide(by);
+                mass /= by;
+            }
+            let mut size = larger(extent(&target), largest.clone() * mass);
             for ((share, multiple), step) in self.splits[i].iter().zip(&multiples).zip(&self.steps) {
                 let weight = -share.clone() * &step.square;
                 gap.add_scaled(&weight, multiple);
-                size = larger(size, multiple.squared_size() * &weight * &weight);
+                size = larger(size, extent(multiple) * weight.magnitude());
             }
             match self.own[i] {
                 Some(k) => {
                     gap.divide(&self.steps[k].square);
                     multiples.push(gap);
                 }
-                None if clashes(&gap.squared_size(), &size) => return Err(Error::Clash { condition: i }),
+                None if !size.is_finite() => return Err(Error::NotFinite { what: "condition", index: i }),
+                None if clashes(&gap, &size) => return Err(Error::Clash { condition: i }),
                 None => {}
             }
         }
@@ -145,13 +160,23 @@ impl<T: Scalar> LeastChange<T> {
     }
 }
 
-/// Whether what a dependent condition leaves open is more than rounding of numbers of some size, by squares.
-fn clashes<T: Scalar>(left: &T, size: &T) -> bool {
+/// The size of the largest weight of a row, or one if all vanish; one over an exact field.
+fn size<T: Scalar>(row: &[T]) -> T {
+    let largest = if T::EXACT { T::zero() } else { row.iter().map(T::magnitude).fold(T::zero(), larger) };
+    if largest.is_zero() { T::one() } else { largest }
+}
+
+/// The size of the largest component; over an exact field nothing depends on it.
+fn extent<T: Scalar, C: Coeff<T>>(c: &C) -> T {
+    if T::EXACT { T::zero() } else { c.components().map(T::magnitude).fold(T::zero(), larger) }
+}
+
+/// Whether what a dependent condition leaves open is more than rounding of numbers of some size.
+fn clashes<T: Scalar, C: Coeff<T>>(left: &C, size: &T) -> bool {
     if T::EXACT {
-        return !left.is_zero();
+        return !left.vanishes();
     }
-    let noise = epsilon::<T>() * T::int(1 << 12);
-    *left > size.clone() * &noise * noise
+    extent(left) > size.clone() * epsilon::<T>() * T::int(1 << 12)
 }
 
 impl<T: Scalar, C: Coeff<T>> Spline<T, C> {

@@ -2,6 +2,8 @@
 //!
 //! The method of Gram and Schmidt, without square roots: over an exact field it is exact. Elsewhere each row is taken
 //! apart twice, which leaves it orthogonal up to rounding, and what is left of a dependent row is seen to be rounding.
+//! There `r W^-1 s` and `s W^-1 r` differ by rounding, which counts where little of a row is left. So a row and its change
+//! are each made orthogonal to the changes and rows before: a step then alters no condition that was met.
 
 use crate::ops::bound::epsilon;
 use crate::scalar::Scalar;
@@ -35,7 +37,9 @@ pub(crate) fn split<T: Scalar>(steps: &[Step<T>], row: &[T], change: &[T]) -> Sp
         for (share, step) in shares.iter_mut().zip(steps) {
             let part = T::dot(row.iter().zip(&step.change)) / &step.square;
             subtract(&mut row, &part, &step.row);
-            subtract(&mut change, &part, &step.change);
+            let part_of_change =
+                if T::EXACT { part.clone() } else { T::dot(change.iter().zip(&step.row)) / &step.square };
+            subtract(&mut change, &part_of_change, &step.change);
             *share += part;
         }
     }

@@ -7,10 +7,11 @@
 //! meets all other conditions `α = 1` has the area wanted, and a line through it meets the form in one other point, which is
 //! rational: so areas are kept exactly.
 
+use crate::coeff::Coeff;
 use crate::error::{Error, Result};
 use crate::fine_tune::table::Table;
 use crate::limits::check_entries;
-use crate::scalar::Scalar;
+use crate::scalar::{Scalar, larger};
 use crate::space::SplineSpace;
 use crate::spline::Curve;
 use nalgebra::{DMatrix, SVector};
@@ -41,13 +42,29 @@ impl<T: Scalar> AreaForm<T> {
             unit[j] = T::one();
             let mut points = vec![SVector::zeros(); space.dim()];
             table.walk(SVector::zeros(), &unit, 0, &mut points, SVector::clone);
-            let part = Curve::<T, N>::new(space.clone(), points)?;
-            let weighed = gram.apply(part.derivative()?.coeffs())?;
-            parts.push((part, weighed));
+            parts.push(points);
         }
+        if !T::EXACT {
+            // Of the order of one, so that products neither overflow nor vanish: only ratios of areas count.
+            let sizes = parts.iter().flatten().flat_map(|point| point.iter().map(T::magnitude));
+            let size = sizes.fold(T::zero(), larger);
+            if !size.is_zero() {
+                parts.iter_mut().flatten().for_each(|point| Coeff::divide(point, &size));
+            }
+        }
+        // G_k' lives on a few spans, so that few of its products with the control points count.
+        let weighed = |points: &Vec<SVector<T, N>>| {
+            let part = Curve::new(space.clone(), points.clone())?;
+            let weighed = gram.apply(part.derivative()?.coeffs())?;
+            let first = weighed.iter().position(|h| !h.vanishes()).unwrap_or(0);
+            let end = weighed.iter().rposition(|h| !h.vanishes()).map_or(first, |last| last + 1);
+            Ok((first, weighed[first..end].to_vec()))
+        };
+        let weighed: Vec<_> = parts.iter().map(weighed).collect::<Result<_>>()?;
         let half = T::frac(1, 2);
         let area = |j: usize, k: usize| {
-            let pairs = parts[j].0.coeffs().iter().zip(&parts[k].1);
+            let (first, weighed) = &weighed[k];
+            let pairs = parts[j][*first..].iter().zip(weighed);
             let crosses = pairs.map(|(g, h)| g[0].clone() * &h[1] - g[1].clone() * &h[0]);
             crosses.fold(T::zero(), |sum, cross| sum + cross) * &half
         };

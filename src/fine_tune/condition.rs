@@ -66,7 +66,7 @@ pub enum Condition<T, const N: usize> {
     ///
     /// The one condition that is not linear. A few steps with its linear part lead to a scale function that is nearest up to
     /// second order; over an exact field a last step along a line then meets the area exactly, which takes other conditions
-    /// that the curve itself meets.
+    /// that the curve itself meets, and may leave the floor of a scale function that would not be positive otherwise.
     Area,
 }
 

@@ -211,10 +211,11 @@ where
     /// # Ok::<(), symspline::Error>(())
     /// ```
     pub fn fine_tuned_holding<'a>(&self, alpha: impl Into<Scale<'a, T>>, hold: Hold) -> Result<Held<T, N>> {
-        let free = self.fine_tuned(alpha)?;
         let Some(j) = hold.depth() else {
-            return Ok(Held::free(free));
+            return Ok(Held::free(self.fine_tuned(alpha)?));
         };
+        // Where it starts does not matter, and far from the origin a small scale would be lost in rounding.
+        let free = self.fine_tuned_from_origin(alpha)?;
         let invariant = self.clamped_ends()?.embedded(free.space())?;
         let ends = Ends::of(invariant.coeffs(), j)?;
         let q = free.coeffs();
@@ -229,10 +230,23 @@ where
         Ok(Held {
             curve: Spline::new(free.space().clone(), held)?,
             image: Spline::new(free.space().clone(), image)?,
-            squared_scale: dot(&ends.chord(), &ends.chord()) / dot(&chord, &chord),
+            squared_scale: squared_ratio(ends.chord(), chord),
             similar: Some(similar).filter(|(start, end)| start < end),
         })
     }
+}
+
+/// `|to|² / |from|²`, where the squares themselves may overflow or vanish.
+fn squared_ratio<T: Scalar, const N: usize>(mut to: SVector<T, N>, mut from: SVector<T, N>) -> T {
+    let mut ratio = T::one();
+    if !T::EXACT {
+        for (v, up) in [(&mut to, true), (&mut from, false)] {
+            let size = v.iter().map(T::magnitude).fold(T::zero(), larger);
+            Coeff::divide(v, &size);
+            ratio = if up { ratio * size } else { ratio / size };
+        }
+    }
+    dot(&to, &to) / dot(&from, &from) * &ratio * ratio
 }
 
 /// The control points near the ends of the invariant curve, to which those of a tuned curve are put back.

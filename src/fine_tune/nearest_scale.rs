@@ -25,6 +25,9 @@ const REFINEMENTS: usize = 3;
 const STEPS: usize = 100;
 const EXACT_STEPS: usize = 2;
 
+/// How many of them are made in full.
+const FULL_STEPS: usize = 20;
+
 /// Conditions on a fine-tuned curve, prepared for finding scale functions that meet them.
 ///
 /// # Examples
@@ -100,9 +103,11 @@ impl<T: Scalar> NearestScale<T> {
     /// [floor](Self::above), in its own space or, if there is none, in a finer one.
     ///
     /// # Errors
-    /// [`Error::Clash`] if the conditions contradict each other; [`Error::NoPositiveScale`] if no positive scale function
-    /// meets them, or none was found; [`Error::DomainMismatch`], [`Error::TooSmooth`] unless `wanted` is in the space;
-    /// [`Error::Undecided`] if in floating point the search does not end.
+    /// [`Error::Clash`] if the conditions contradict each other; [`Error::NoPositiveScale`] if no scale function with values at or
+    /// above the [floor](Self::above) meets them, or none was found; [`Error::DomainMismatch`], [`Error::TooSmooth`] unless
+    /// `wanted` is in the space; [`Error::Undecided`] if in floating point the search does not end, or rounding is larger than
+    /// the floor; [`Error::TooLarge`], [`Error::NotFinite`]. With [`Condition::Area`] over an exact field [`Error::AreaElsewhere`]
+    /// unless the curve itself meets the other conditions, [`Error::Undecided`] where no step along the line has the area.
     pub fn to(&self, wanted: &Function<T>) -> Result<Function<T>> {
         self.nearest(wanted, false)
     }
@@ -132,10 +137,14 @@ impl<T: Scalar> NearestScale<T> {
     /// The same under linear conditions alone.
     fn near_linear(&self, wanted: Vec<T>, signed: bool) -> Result<Vec<T>> {
         let mut values = wanted.clone();
-        self.change.edit(&mut values, &self.targets).map_err(|error| match error {
-            Error::Clash { condition } => Error::Clash { condition: self.sources[condition] },
-            other => other,
-        })?;
+        // Once more where the first edit is rounded by the size of what was wanted.
+        for _ in 0..if T::EXACT { 1 } else { 2 } {
+            self.change.edit(&mut values, &self.targets).map_err(|error| match error {
+                Error::Clash { condition } => Error::Clash { condition: self.sources[condition] },
+                Error::NotFinite { what, index } => Error::NotFinite { what, index: self.sources[index] },
+                other => other,
+            })?;
+        }
         if signed || self.is_positive(&values)? { Ok(values) } else { self.nearest_positive(&wanted) }
     }
 
@@ -156,25 +165,36 @@ impl<T: Scalar> NearestScale<T> {
         let one = vec![T::one(); wanted.len()];
         let area = form.value(&one);
         let mut values = self.near_linear(wanted.to_vec(), signed)?;
-        for _ in 0..if T::EXACT { EXACT_STEPS } else { STEPS } {
+        for step in 0..if T::EXACT { EXACT_STEPS } else { STEPS } {
             // aᵀ M a + 2 aᵀ M (a' - a) = A
             let gradient = form.half_gradient(&values);
             let target = (T::dot(gradient.iter().zip(&values)) + &area) / T::int(2);
             let before = values;
             values = self.with(gradient, target, source)?.near_linear(wanted.to_vec(), signed)?;
-            if values == before {
+            if settled(&before, &values) {
                 break;
             }
+            if step >= FULL_STEPS {
+                // Half the way: full steps go back and forth where the area bends more than the distance does.
+                let half = T::frac(1, 2);
+                values.iter_mut().zip(&before).for_each(|(x, y)| *x = (x.clone() + y) * &half);
+            }
         }
-        let meets = |(row, target): (&Functional<T>, &T)| row.apply(&one) == *target;
+        let misses = |values: &[T]| {
+            let size = larger(area.magnitude(), form.size(values));
+            (form.value(values) - &area).magnitude() > size * T::frac(1, 1 << 40)
+        };
         if T::EXACT {
-            if !self.change.rows().iter().zip(&self.targets).all(meets) {
+            if !self.is_met_by(&one) {
                 return Err(Error::AreaElsewhere);
             }
             values = form.opposite(&values).ok_or(Error::Undecided)?;
         } else {
-            let size = larger(area.magnitude(), form.size(&values));
-            if (form.value(&values) - &area).magnitude() > size * T::frac(1, 1 << 40) {
+            if misses(&values) && self.is_met_by(&one) {
+                // Steps may go back and forth between sets of values at the floor.
+                values = form.opposite(&values).ok_or(Error::Undecided)?;
+            }
+            if misses(&values) {
                 return Err(Error::Undecided);
             }
         }
@@ -182,6 +202,16 @@ impl<T: Scalar> NearestScale<T> {
             return Err(Error::NoPositiveScale { proved: false });
         }
         Ok(values)
+    }
+
+    /// Whether the linear conditions are met by scale functions with these coefficients, elsewhere than over an exact field up
+    /// to rounding.
+    fn is_met_by(&self, values: &[T]) -> bool {
+        self.change.rows().iter().zip(&self.targets).all(|(row, target)| {
+            let terms = row.weights().iter().fold(target.magnitude(), |sum, w| sum + w.magnitude());
+            let noise = if T::EXACT { T::zero() } else { terms * T::frac(1, 1 << 40) };
+            (row.apply(values) - target).magnitude() <= noise
+        })
     }
 
     /// The linear conditions with one more.
@@ -206,7 +236,10 @@ impl<T: Scalar> NearestScale<T> {
             let rows = (scales.embedding(&finer)?, &self.floor);
             let found = nearest_above(&self.change, &self.targets, wanted, (&rows.0, rows.1), self.norm)?;
             if let Above::Nearest(values) = found {
-                Function::new(scales.clone(), values.clone())?.positive_bound()?;
+                // Where rounding is larger than the floor, it may not be.
+                Function::new(scales.clone(), values.clone())?
+                    .positive_bound()
+                    .map_err(|_| Error::Undecided)?;
                 return Ok(values);
             }
             if refinement == 0 && self.none_is_positive(wanted)? {
@@ -222,9 +255,17 @@ impl<T: Scalar> NearestScale<T> {
         let scales = self.scales();
         let places = scales.bisected()?.bisected()?.greville();
         let (a, b) = scales.domain();
-        let inside: Vec<T> = places.into_iter().filter(|x| a <= x && x <= b).collect();
+        let knots = scales.breaks().into_iter().map(|(t, _)| t);
+        let inside: Vec<T> = places.into_iter().filter(|x| a <= x && x <= b).chain(knots).collect();
         let rows = scales.evaluation(&inside)?;
         let found = nearest_above(&self.change, &self.targets, wanted, (&rows, &self.floor), self.norm)?;
         Ok(found == Above::None)
     }
+}
+
+/// Whether steps have come to rest, up to rounding.
+fn settled<T: Scalar>(before: &[T], after: &[T]) -> bool {
+    let largest = after.iter().map(T::magnitude).fold(T::zero(), larger);
+    let noise = if T::EXACT { T::zero() } else { largest * T::frac(1, 1 << 46) };
+    before.iter().zip(after).all(|(x, y)| (x.clone() - y).magnitude() <= noise)
 }

@@ -81,9 +81,13 @@ impl<T: Scalar, const N: usize> Curve<T, N> {
     /// # Ok::<(), symspline::Error>(())
     /// ```
     pub fn fine_tuned<'a>(&self, alpha: impl Into<Scale<'a, T>>) -> Result<Self> {
+        self.fine_tuned_from_origin(alpha)?.translated(&self.at(self.domain().0)?)
+    }
+
+    /// The same moved so that it starts at the origin.
+    pub(crate) fn fine_tuned_from_origin<'a>(&self, alpha: impl Into<Scale<'a, T>>) -> Result<Self> {
         let alpha = alpha.into().function()?;
-        let scaled = self.derivative()?.times(alpha)?.clamped_ends()?;
-        scaled.antiderivative()?.translated(&self.at(self.domain().0)?)
+        self.derivative()?.times(alpha)?.clamped_ends()?.antiderivative()
     }
 }
 
@@ -99,7 +103,7 @@ impl<T: Scalar> SplineSpace<T> {
     /// # Errors
     /// [`NotPositive`](crate::Error::NotPositive), [`Undecided`](crate::Error::Undecided) unless `ratio` is positive;
     /// [`DomainMismatch`](crate::Error::DomainMismatch); [`OutOfTolerance`](crate::Error::OutOfTolerance) if this space is too
-    /// coarse to promise a positive scale.
+    /// coarse to promise a positive scale; [`NotFinite`](crate::Error::NotFinite) on overflow.
     ///
     /// # Examples
     /// ```

@@ -158,13 +158,17 @@ impl<T: Scalar, const N: usize> FineTuner<T, N> {
     /// # Errors
     /// Those of [`NearestScale::to`] under conditions;
     /// [`CoefficientCount`](Error::CoefficientCount) unless `alpha` has as many values as its space and `points` as many
-    /// places as [`space`](Self::space); [`NotPositive`](Error::NotPositive) and [`Undecided`](Error::Undecided) as
+    /// places as [`space`](Self::space); [`NotFinite`](Error::NotFinite) if a value of `alpha` is not finite (overflow on the
+    /// way to `points` is not looked for, but by [`tuned`](Self::tuned)); [`NotPositive`](Error::NotPositive) and [`Undecided`](Error::Undecided) as
     /// [`fine_tuned`](Curve::fine_tuned); [`NoChord`](Error::NoChord) if the tuned curve is closed but its ends are to be
     /// held. Then `points` is as it was.
     pub fn tune_into(&self, alpha: &[T], points: &mut [SVector<T, N>]) -> Result<()> {
         let lengths = [(self.scales().dim(), alpha.len()), (self.space().dim(), points.len())];
         if let Some(&(expected, found)) = lengths.iter().find(|(expected, found)| expected != found) {
             return Err(Error::CoefficientCount { expected, found });
+        }
+        if let Some(index) = alpha.iter().position(|value| !value.is_finite()) {
+            return Err(Error::NotFinite { what: "coefficient", index });
         }
         if let Some(nearest) = &self.nearest {
             let nearest = nearest.near(alpha.to_vec(), self.signed)?;

@@ -43,15 +43,18 @@ impl<T: Scalar> Function<T> {
         let mut open: Vec<_> = self.patches()?.into_iter().map(|patch| (patch, 0)).collect();
         let mut bound: Option<T> = None;
         let mut halvings = 0;
+        let mut noises: Vec<T> = Vec::new();
         while let Some((patch, depth)) = open.pop() {
-            let noise = self.allowance(self, depth);
+            while noises.len() <= depth {
+                noises.push(self.allowance(self, noises.len()));
+            }
+            let noise = &noises[depth];
             let corner = patch.lowest_corner();
-            if corner.value <= noise {
+            if corner.value <= *noise {
                 let [parameter] = corner.parameter.map(|x| x.to_string());
                 return Err(Error::NotPositive { parameter, value: corner.value.to_string() });
             }
-            match least(&patch.coeffs).map(|least| least.clone() - &noise).filter(|least| *least > T::zero())
-            {
+            match least(&patch.coeffs).map(|least| least.clone() - noise).filter(|least| *least > T::zero()) {
                 Some(least) => {
                     if bound.as_ref().is_none_or(|bound| least < *bound) {
                         bound = Some(least);

@@ -220,3 +220,24 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn small_scales_and_large_coordinates_keep_their_digits() -> symspline::Result<()> {
+    let space = SplineSpace::uniform(3, 2, 0.0, 1.0)?;
+    let points = [[100.0, 50.0], [101.0, 52.0], [102.0, 49.0], [104.0, 51.0], [105.0, 50.0]];
+    let points: Vec<_> = points.iter().map(|p| nalgebra::vector![p[0], p[1]]).collect();
+    let curve = Curve::new(space, points)?;
+    let scales = SplineSpace::bezier(1, 0.0, 1.0)?;
+    let held = |curve: &Curve<f64, 2>, size: f64| {
+        let alpha = Function::new(scales.clone(), vec![size, 2.0 * size])?;
+        curve.fine_tuned_holding(&alpha, Hold::Points)
+    };
+    let expected = held(&curve, 1.0)?;
+    for size in [1e-300, 1e-15, 1e-8, 1e8, 1e300] {
+        assert!(held(&curve, size)?.curve.distance_bound(&expected.curve)? < 1e-10, "{size}");
+        let large = Curve::new(curve.space().clone(), curve.coeffs().iter().map(|p| p * size).collect())?;
+        let ratio = held(&large, 1.0)?.squared_scale / expected.squared_scale;
+        assert!((ratio - 1.0).abs() < 1e-12, "{size} {ratio}");
+    }
+    Ok(())
+}

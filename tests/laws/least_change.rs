@@ -115,3 +115,21 @@ fn rows_are_checked() {
     assert_eq!(coeffs, [1.0, 2.0]);
     assert_eq!(change.edit(&mut coeffs, &[1.0]), Err(Error::CoefficientCount { expected: 0, found: 1 }));
 }
+
+#[test]
+fn contradictions_are_seen_at_any_size() -> symspline::Result<()> {
+    let space = SplineSpace::uniform(2, 3, 0.0, 1.0)?;
+    let row = space.basis(&0.4)?;
+    let change = LeastChange::new(&space, &[row.clone(), row], Norm::L2)?;
+    for size in [1e-300, 1e-170, 1.0, 1e170, 1e300] {
+        let f = Function::new(space.clone(), [1.0, 2.0, 0.5, 3.0, 1.0].map(|c| c * size).to_vec())?;
+        let edited = change.edited(&f, &[2.0 * size, 2.0 * size])?;
+        assert!((edited.at(&0.4)? / size - 2.0).abs() < 1e-14, "{size}");
+        assert_eq!(
+            change.edited(&f, &[2.0 * size, 3.0 * size]),
+            Err(Error::Clash { condition: 1 }),
+            "{size}"
+        );
+    }
+    Ok(())
+}

@@ -272,3 +272,84 @@ fn what_cannot_be_is_refused() -> symspline::Result<()> {
     assert!(matches!(apart, Error::DomainMismatch { .. }));
     Ok(())
 }
+
+#[test]
+fn the_size_of_coordinates_does_not_matter() -> symspline::Result<()> {
+    let (c, wanted) = wave::<f64>()?;
+    for conditions in [vec![Condition::End], vec![Condition::End, Condition::Area]] {
+        for norm in NORMS {
+            let nearest = |c: &Curve<f64, 2>| -> symspline::Result<Function<f64>> {
+                let found = NearestScale::prepare(c, wanted.space(), &conditions, norm)?;
+                assert_eq!(found.rank(), 2);
+                found.to(&wanted)
+            };
+            let expected = nearest(&c)?;
+            for size in [1e-300, 1e-200, 1e-160, 1e-100, 1e100, 1e155, 1e200, 1e300] {
+                let found =
+                    nearest(&Curve::new(c.space().clone(), c.coeffs().iter().map(|p| p * size).collect())?)?;
+                assert!(found.distance_bound(&expected)? < 1e-9, "{size} {found:?} {expected:?}");
+            }
+        }
+    }
+    Ok(())
+}
+
+#[test]
+fn ends_of_nearly_plane_curves_are_kept() -> symspline::Result<()> {
+    let (c, wanted) = wave::<f64>()?;
+    for lift in [1e-3, 1e-6, 1e-9, 1e-12, 1e-15] {
+        let points =
+            c.coeffs().iter().map(|p| nalgebra::vector![p[0], p[1], 0.5 * p[0] + lift * p[1] * p[1]]);
+        let c = Curve::new(c.space().clone(), points.collect())?;
+        for norm in NORMS {
+            let alpha =
+                NearestScale::prepare(&c, wanted.space(), &[Condition::End], norm)?.to_signed(&wanted)?;
+            let tuned = c.fine_tuned(Scale::Signed(&alpha))?;
+            assert!((tuned.at(&1.0)? - c.at(&1.0)?).norm() < 1e-13, "{lift} {norm:?}");
+        }
+    }
+    Ok(())
+}
+
+#[test]
+fn areas_are_kept_where_full_steps_go_back_and_forth() -> symspline::Result<()> {
+    let points = [[0, 7], [3, 1], [0, 1], [4, 6]].map(|p| nalgebra::vector![p[0] as f64, p[1] as f64]);
+    let c = Curve::new(symspline::SplineSpace::uniform(2, 2, 0.0, 1.0)?, points.to_vec())?;
+    let wanted =
+        Function::new(symspline::SplineSpace::uniform(1, 3, 0.0, 1.0)?, vec![1.75, 1.5, 1.75, 1.75])?;
+    let alpha =
+        NearestScale::prepare(&c, wanted.space(), &[Condition::Area], Norm::Coefficients)?.to(&wanted)?;
+    let area = |d: &Curve<f64, 2>| {
+        let moved = d.translated(&-d.at(&0.0)?)?;
+        moved.cross(&moved.derivative()?)?.integral()
+    };
+    assert!((area(&c.fine_tuned(&alpha)?)? - area(&c)?).abs() < 1e-9);
+    Ok(())
+}
+
+#[test]
+fn hostile_numbers_are_refused() -> symspline::Result<()> {
+    let (c, wanted) = wave::<f64>()?;
+    let strong = wanted.dragged(&0.4, 40.0, Norm::Coefficients)?;
+    let nearest = NearestScale::prepare(&c, wanted.space(), &[Condition::End], Norm::L2)?;
+    // A floor that rounding hides.
+    assert_eq!(nearest.above(1e-300)?.to(&strong), Err(Error::Undecided));
+    let tuner = FineTuner::free(&c, wanted.space())?.signed();
+    let mut values = wanted.coeffs().to_vec();
+    let before = vec![nalgebra::vector![7.0, 7.0]; tuner.space().dim()];
+    for bad in [f64::NAN, f64::INFINITY] {
+        values[3] = bad;
+        let mut points = before.clone();
+        let refused = Err(Error::NotFinite { what: "coefficient", index: 3 });
+        assert_eq!(tuner.tune_into(&values, &mut points), refused);
+        assert_eq!(points, before);
+    }
+    // Too many values for a dense program.
+    let scales = symspline::SplineSpace::uniform(2, 17_000, 0.0, 1.0)?;
+    let mut values = vec![1.0; scales.dim()];
+    values[8_000..8_003].fill(-3.0);
+    let nearest = NearestScale::prepare(&c, &scales, &[Condition::End], Norm::Coefficients)?;
+    let refused = nearest.to(&Function::new(scales, values)?);
+    assert!(matches!(refused, Err(Error::TooLarge { .. })), "{refused:?}");
+    Ok(())
+}
