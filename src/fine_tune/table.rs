@@ -104,7 +104,7 @@ impl<T: Scalar, const N: usize> Table<T, N> {
             Some(lead) => self.start.minus(&weigh(0, alpha, lead)),
             None => self.start.clone(),
         };
-        self.walk(start, alpha, 0, points, SVector::clone);
+        self.walk(start, alpha, 0, points, |place| place.clone());
     }
 
     /// Writes the control points from the one with index `from`, which is at `place`, each as `put` makes it.
@@ -119,7 +119,7 @@ impl<T: Scalar, const N: usize> Table<T, N> {
         // A leg after each, but after the last one of a curve that is open.
         let legs = self.legs.first().map_or(0, LinearMap::target_dim);
         let (walked, last) = points.split_at_mut(legs);
-        for (i, point) in walked.iter_mut().enumerate().skip(from) {
+        for (i, point) in (from..).zip(&mut walked[from..]) {
             *point = put(&place);
             for (x, legs) in place.iter_mut().zip(&self.legs) {
                 let (first, weights) = legs.row(i);
