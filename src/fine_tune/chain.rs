@@ -81,7 +81,7 @@ where
 
     /// Its energy with these points, and the gradient.
     ///
-    /// A leg without length has no direction; it is neither pulled nor bent.
+    /// A leg without length has no direction; it is not pulled, nor are its joints bent.
     pub(crate) fn energy(&self, points: &[f64], gradient: &mut [f64]) -> f64 {
         gradient.fill(0.0);
         let count = self.lengths.len();
@@ -102,9 +102,12 @@ where
             energy += self.stretch[i] * missing * missing + self.bend * excess * excess;
             let torque = 2.0 * self.bend * excess;
             let [near, far] = turn.across;
+            let along = v * (-2.0 * self.stretch[i] * missing);
             if size > 0.0 && length > 0.0 {
                 pull(before, &(near * (torque / size)));
-                pull(i, &(v * (-2.0 * self.stretch[i] * missing) - far * (torque / length)));
+                pull(i, &(along - far * (torque / length)));
+            } else {
+                pull(i, &along);
             }
             (before, u, size) = (i, v, length);
         }
@@ -157,9 +160,9 @@ where
         for i in 0..count {
             let next = if i + 1 == count { 0 } else { i + 1 };
             let (v, length) = direction(&leg::<N>(points, i));
+            let along = (2.0 * self.stretch[i]).sqrt();
+            matrix.add_square([i, next], [free(i, v * -along), free(next, v * along)]);
             if size > 0.0 && length > 0.0 {
-                let along = (2.0 * self.stretch[i]).sqrt();
-                matrix.add_square([i, next], [free(i, v * -along), free(next, v * along)]);
                 for [near, far] in u.hinges(&v, self.angles[i]) {
                     let (near, far) = (near * (across / size), far * (across / length));
                     let moved = [free(before, near), free(i, -near - far), free(next, far)];
@@ -267,6 +270,11 @@ mod tests {
         let mut gradient = [1.0; 6];
         assert!(chain.energy(&[0.5; 6], &mut gradient).is_finite());
         assert_eq!(gradient, [0.0; 6]);
+        // The leg behind one without length is pulled, though there is no angle between them.
+        let chain = Chain::at_rest(&[SVector::from([2.0, 0.0]); 3], [1.0; 2], false, &[]).unwrap();
+        chain.energy(&[0.0, 0.0, 0.0, 0.0, 3.0, 0.0], &mut gradient);
+        // Leg 1 is 1 too long, and so is leg 2, back from point 2 to point 0.
+        assert_eq!([gradient[0], gradient[2], gradient[4]], [-2.0, -2.0, 4.0]);
     }
 
     #[test]

@@ -39,7 +39,7 @@ pub struct Relaxed<const N: usize> {
     /// What is left of the gradient, as [`Springs::tolerance`] measures it.
     pub gradient: f64,
     /// Whether the gradient is within the tolerance. If not, the iterations were too few, rounding allows no less, or a leg was
-    /// pressed to nothing, which a length deviation of 1 shows.
+    /// pressed to nothing, which a length deviation of 1 or more hints at.
     pub converged: bool,
 }
 
@@ -69,9 +69,10 @@ where
     /// # Errors
     /// [`Error::NotPeriodic`] unless both are periodic; [`Error::DomainMismatch`]; [`Error::Discontinuous`];
     /// [`Error::NotPositive`], [`Error::Undecided`] unless `alpha` is proved to be positive; [`Error::NoLength`] if all control points coincide;
-    /// [`Error::ZeroLeg`] if a control point of `C'` or of `α C'` vanishes in the space of their product;
+    /// [`Error::ZeroLeg`] if a control point of `C'` or of `α C'` vanishes in the space of their product, but for rounding
+    /// beside the largest;
     /// [`Error::SpringConstant`], [`Error::BadTolerance`], [`Error::IndexOutOfRange`] for unusable springs;
-    /// [`Error::NotFinite`] on overflow.
+    /// [`Error::NotFinite`] on overflow; [`Error::DegreeTooHigh`], [`Error::TooLarge`].
     ///
     /// # Examples
     /// ```

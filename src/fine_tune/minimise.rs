@@ -58,14 +58,10 @@ pub(crate) trait Energy {
     fn value(&mut self, x: &[f64], gradient: &mut [f64]) -> f64;
 
     /// Makes `M` for places near `x`.
-    fn renew(&mut self, x: &[f64]) {
-        let _ = x;
-    }
+    fn renew(&mut self, _: &[f64]) {}
 
     /// Multiplies a gradient by `M`, which is symmetric and positive.
-    fn soften(&mut self, gradient: &mut [f64]) {
-        let _ = gradient;
-    }
+    fn soften(&mut self, _: &mut [f64]) {}
 }
 
 impl<F: FnMut(&[f64], &mut [f64]) -> f64> Energy for F {

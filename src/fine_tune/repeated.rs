@@ -4,7 +4,7 @@
 //! with knots only where the error asks for them [Miura, 2.3], and with the same derivatives at the ends of the portion as
 //! far as they are held. The paper bounds nothing; here the distance is certified.
 
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::fine_tune::hold::{Hold, Turnable};
 use crate::fine_tune::local::LocallyTuned;
 use crate::fine_tune::scale::Scale;
@@ -55,7 +55,13 @@ impl<T: Scalar, const N: usize> LocallyTuned<T, N> {
         let start = self.original().space().restricted_space(a, b)?;
         let aim = if T::EXACT { tolerance.clone() } else { tolerance.clone() * T::frac(7, 8) };
         let contact = Contact::both(self.order() + 1);
-        let near = self.tuned().curve.approximated_within(&start, &aim, contact)?;
+        let near =
+            self.tuned().curve.approximated_within(&start, &aim, contact).map_err(|error| match error {
+                Error::OutOfTolerance { bound, .. } => {
+                    Error::OutOfTolerance { bound, tolerance: tolerance.to_string() }
+                }
+                other => other,
+            })?;
         let spline = self.with_portion(&near.spline)?;
         if T::EXACT {
             return Ok(Approximation { spline, bound: near.bound });

@@ -19,7 +19,7 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     ///
     /// # Errors
     /// [`Error::NotPeriodic`] for an open spline; [`Error::OutsideDomain`]; in `f64` [`Error::SpanOutOfRange`] if knots are
-    /// too near for rounded sums, [`Error::EmptyDomain`] if the period vanishes beside `x`.
+    /// too near for rounded sums, [`Error::EmptyDomain`] if the period vanishes beside `x`, [`Error::NotFinite`] on overflow.
     ///
     /// # Examples
     /// ```

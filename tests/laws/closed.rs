@@ -367,6 +367,17 @@ fn strong_scales_and_few_vertices_end() -> Result<()> {
 }
 
 #[test]
+fn legs_pressed_to_nothing_do_not_end_the_descent() -> Result<()> {
+    // Legs become so short that the stiffness of their joints exceeds all digits of the rest.
+    let polygon = [[0.0, 5.0], [2.0, 0.0], [2.0, 3.0], [0.0, 4.0]].map(|[x, y]| vector![x, y]);
+    let curve = Curve::closed(2, polygon.to_vec())?;
+    let alpha = Function::closed(1, vec![1.0, 2.0, 2.0, 0.5])?;
+    let found = curve.fine_tuned_closed(&alpha, &Springs::default())?;
+    assert!(found.gradient.is_finite() && found.energy < 0.05, "{found:?}");
+    Ok(())
+}
+
+#[test]
 fn no_steps_leave_the_curve_as_it_is() -> Result<()> {
     let curve = Curve::closed(2, vec![vector![0.0, 0.0], vector![4.0, 1.0], vector![1.0, 5.0]])?;
     let alpha = Function::closed(1, vec![1.0, 1.5, 1.0])?;
