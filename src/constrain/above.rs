@@ -12,7 +12,7 @@ use crate::constrain::change::LeastChange;
 use crate::constrain::norm::Norm;
 use crate::constrain::orthogonal::{Split, Step, split};
 use crate::error::{Error, Result};
-use crate::functional::weigh;
+use crate::functional::{Functional, weigh};
 use crate::limits::check_entries;
 use crate::map::LinearMap;
 use crate::scalar::{Scalar, larger};
@@ -88,14 +88,8 @@ pub(crate) fn nearest_above<T: Scalar>(
 ) -> Result<Above<T>> {
     let n = wanted.len();
     check_entries(rows.target_dim(), n)?;
-    let dense: Vec<Vec<T>> = (0..rows.target_dim())
-        .map(|i| {
-            let mut row = vec![T::zero(); n];
-            let (first, weights) = rows.row(i);
-            weights.iter().enumerate().for_each(|(k, w)| row[(first + k) % n] += w);
-            row
-        })
-        .collect();
+    let dense: Vec<Vec<T>> =
+        rows.rows().map(|(first, weights)| Functional::new(first, weights).to_dense(n)).collect();
     let changes = norm.changes(change.space(), &dense)?;
     let taken_apart = |i: usize, steps: &[Step<T>]| split(steps, &dense[i], &changes[i]);
     let size = wanted.iter().map(T::magnitude).fold(floor.magnitude(), larger);

@@ -14,6 +14,7 @@ use crate::error::{Error, Result};
 use crate::fine_tune::area::AreaForm;
 use crate::fine_tune::condition::{Condition, Rows};
 use crate::functional::Functional;
+use crate::map::LinearMap;
 use crate::scalar::{Scalar, larger};
 use crate::space::SplineSpace;
 use crate::spline::{Curve, Function};
@@ -233,14 +234,9 @@ impl<T: Scalar> NearestScale<T> {
         let scales = self.scales();
         let mut finer = scales.clone();
         for refinement in 0..=REFINEMENTS {
-            let rows = (scales.embedding(&finer)?, &self.floor);
-            let found = nearest_above(&self.change, &self.targets, wanted, (&rows.0, rows.1), self.norm)?;
-            if let Above::Nearest(values) = found {
+            if let Above::Nearest(values) = self.above_floor(wanted, &scales.embedding(&finer)?)? {
                 // Where rounding is larger than the floor, it may not be.
-                Function::new(scales.clone(), values.clone())?
-                    .positive_bound()
-                    .map_err(|_| Error::Undecided)?;
-                return Ok(values);
+                return if self.is_positive(&values)? { Ok(values) } else { Err(Error::Undecided) };
             }
             if refinement == 0 && self.none_is_positive(wanted)? {
                 return Err(Error::NoPositiveScale { proved: true });
@@ -257,9 +253,12 @@ impl<T: Scalar> NearestScale<T> {
         let (a, b) = scales.domain();
         let knots = scales.breaks().into_iter().map(|(t, _)| t);
         let inside: Vec<T> = places.into_iter().filter(|x| a <= x && x <= b).chain(knots).collect();
-        let rows = scales.evaluation(&inside)?;
-        let found = nearest_above(&self.change, &self.targets, wanted, (&rows, &self.floor), self.norm)?;
-        Ok(found == Above::None)
+        Ok(self.above_floor(wanted, &scales.evaluation(&inside)?)? == Above::None)
+    }
+
+    /// The nearest coefficients on which all of `rows` are at or above the floor.
+    fn above_floor(&self, wanted: &[T], rows: &LinearMap<T>) -> Result<Above<T>> {
+        nearest_above(&self.change, &self.targets, wanted, (rows, &self.floor), self.norm)
     }
 }
 

@@ -8,8 +8,8 @@
 //! parameter where `α > 0`.
 
 use crate::error::Result;
-use crate::ops::bound::Approximation;
-use crate::scalar::{Scalar, larger};
+use crate::ops::bound::{Approximation, out_of_tolerance};
+use crate::scalar::Scalar;
 use crate::space::SplineSpace;
 use crate::spline::{Curve, Function};
 
@@ -121,10 +121,10 @@ impl<T: Scalar> SplineSpace<T> {
         let spline = self.quasi_interpolant(|x| Ok(T::one() / ratio.at_near(x, &mut span)?))?;
         let product = spline.times(ratio)?;
         let one = Function::constant(product.space().clone(), T::one())?;
-        let error = larger(product.distance_bound_halved(&one, 3)?, T::zero());
+        let error = product.distance_bound_halved(&one, 3)?;
         let rest = T::one() - &error;
         if rest <= T::zero() {
-            return Err(crate::ops::bound::out_of_tolerance(&error, &T::one()));
+            return Err(out_of_tolerance(&error, &T::one()));
         }
         Ok(Approximation { spline, bound: error / rest })
     }
