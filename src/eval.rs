@@ -93,7 +93,7 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
         let binomials = binomials::<T>(p);
         for x in run {
             let u = (x.clone() - a) / &width;
-            let v = T::one() - &u;
+            let v = (b.clone() - x) / &width;
             let mut weights: [T; ORDER] = std::array::from_fn(|i| binomials[i].clone());
             let (mut us, mut vs) = (T::one(), T::one());
             for i in 1..ORDER {

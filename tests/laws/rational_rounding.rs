@@ -79,6 +79,22 @@ proptest! {
     }
 }
 
+/// At the end of its span the heavy weight has faded to some hundred times the others: what is left of the span must be
+/// as exact as what has been covered, in batches too.
+#[test]
+fn where_a_heavy_weight_fades_values_are_near() {
+    let space = SplineSpace::bezier(2, 0.0, 1.0).unwrap();
+    let f = RationalFunction::new(space, vec![0.0, 0.0, -0.07], vec![0.1, 4.4e11, 0.1]).unwrap();
+    let parameters: Vec<f64> = (0..40).map(|i| 1.0 - 1e-5 - 1e-7 * f64::from(i)).collect();
+    let exact = f.to_exact().unwrap();
+    let expected =
+        parameters.iter().map(|&x| exact.at(&Q::try_from(x).unwrap()).unwrap()).collect::<Vec<_>>();
+    for (found, expected) in f.eval(&parameters).unwrap().iter().zip(&expected) {
+        let expected = expected.to_f64();
+        assert!((found - expected).abs() <= 16.0 * EPS * expected.abs(), "{found:e}, {expected:e}");
+    }
+}
+
 #[test]
 fn weights_of_extreme_size_go_through() {
     let space = SplineSpace::bezier(2, 0.0, 1.0).unwrap();
