@@ -100,6 +100,23 @@ impl<T: Scalar> SplineSpace<T> {
         Ok((0..=order).map(|d| self.derivative_on(k, x, d)).collect())
     }
 
+    /// The derivative of order `order` at `x` as a functional, as [`basis_derivatives`](Self::basis_derivatives).
+    ///
+    /// # Errors
+    /// As [`basis_derivatives`](Self::basis_derivatives).
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::SplineSpace;
+    /// let slope = SplineSpace::bezier(2, 0.0, 1.0)?.basis_derivative(&0.0, 1)?;
+    /// assert_eq!(slope.weights(), [-2.0, 2.0, 0.0]);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    pub fn basis_derivative(&self, x: &T, order: usize) -> Result<Functional<T>> {
+        check_degree(order)?;
+        Ok(self.derivative_on(self.locate(x)?, x, order))
+    }
+
     /// The derivative of order `d` at `x` of the polynomial of span `k`: `p! / (p - d)!` times the polar value at
     /// `p - d` arguments `x` and `d` unit directions.
     fn derivative_on(&self, k: usize, x: &T, d: usize) -> Functional<T> {

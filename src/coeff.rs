@@ -105,6 +105,20 @@ pub(crate) fn check_shapes<T: Scalar, C: Coeff<T>>(coeffs: &[C]) -> Result<()> {
     }
 }
 
+/// Puts new coefficients in the place of others, or none of them if one does not fit.
+pub(crate) fn replace<T: Scalar, C: Coeff<T>>(coeffs: &mut [C], new: Vec<(usize, C)>) -> Result<()> {
+    for (index, c) in &new {
+        let length = coeffs.len();
+        let old = coeffs.get(*index).ok_or(Error::IndexOutOfRange { index: *index, length })?;
+        check_pair(old, c)?;
+        if !c.all_finite() {
+            return Err(Error::NotFinite { what: "coefficient", index: *index });
+        }
+    }
+    new.into_iter().for_each(|(index, c)| coeffs[index] = c);
+    Ok(())
+}
+
 /// Refuses to add a row to one of another length.
 pub(crate) fn check_pair<T: Scalar, C: Coeff<T>>(c: &C, d: &C) -> Result<()> {
     if c.same_shape(d) { Ok(()) } else { Err(Error::Ragged { index: 0 }) }

@@ -36,6 +36,11 @@ impl<T: Scalar> Functional<T> {
         &self.weights
     }
 
+    /// The weights, moved out.
+    pub(crate) fn into_weights(self) -> Vec<T> {
+        self.weights
+    }
+
     /// The value on `coeffs`.
     ///
     /// # Panics

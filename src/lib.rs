@@ -26,6 +26,7 @@
 //! - roots of polynomials: [`roots`];
 //! - zeros, curvature profiles, lengths, frames, nearest points, meetings: [`analysis`];
 //! - fine tuning: [`fine_tune`];
+//! - shape tools: control points, weights, warps, bends, constraints: [`shape`];
 //! - pictures: the module `plot`, behind the feature of that name.
 
 // The modules from the ground up: a module uses only what stands above it (tests/floors.rs).
@@ -64,6 +65,7 @@ pub mod build;
 pub mod analysis;
 pub mod constrain;
 pub mod fine_tune;
+pub mod shape;
 #[cfg(feature = "plot")]
 pub mod plot;
 
@@ -92,7 +94,9 @@ pub use build::parameters::{approximation_space, chord_length, interpolation_spa
 pub use coeff::Coeff;
 pub use constrain::change::LeastChange;
 pub use constrain::norm::Norm;
+pub use constrain::sparse::SparseRow;
 pub use dense::solve_dense;
+pub use error::shape::ShapeError;
 pub use error::{Error, Result};
 pub use exact::Q;
 pub use fine_tune::closed::Relaxed;
@@ -124,6 +128,9 @@ pub use rational::spline::{NurbsCurve, NurbsSurface, Rational, RationalFunction}
 pub use roots::Solvable;
 pub use row::Row;
 pub use scalar::{Real, Scalar};
+pub use shape::controlled::Controlled;
+pub use shape::drag::Drag;
+pub use shape::region::Refinement;
 pub use space::SplineSpace;
 pub use spline::{Curve, Function, Spline};
 pub use tensor::along::Direction;

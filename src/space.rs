@@ -350,16 +350,20 @@ impl<T: Scalar> SplineSpace<T> {
     /// # Ok::<(), symspline::Error>(())
     /// ```
     pub fn greville(&self) -> Vec<T> {
+        (0..self.dim).map(|i| self.mean_of_knots(i)).collect()
+    }
+
+    /// The Greville abscissa of the unrolled coefficient `i`.
+    pub(crate) fn mean_of_knots(&self, i: usize) -> T {
         let t = self.knots();
-        let mean = |i: usize| match self.degree {
+        match self.degree {
             0 => t[i].clone() + (t[i + 1].clone() - &t[i]) / T::int(2),
             // From the first of them, so that no sum overflows.
             p => {
                 let rises = t[i + 1..=i + p].iter().fold(T::zero(), |sum, x| sum + (x.clone() - &t[i + 1]));
                 t[i + 1].clone() + rises / T::int(p as i64)
             }
-        };
-        (0..self.dim).map(mean).collect()
+        }
     }
 
     /// The last non-empty span.

@@ -1,6 +1,6 @@
 //! Splines: coefficients in a space.
 
-use crate::coeff::{Coeff, check_shapes};
+use crate::coeff::{Coeff, check_shapes, replace};
 use crate::error::{Error, Result};
 use crate::limits::check_degree;
 use crate::polar::polar_value;
@@ -108,6 +108,22 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     /// The coefficients, moved out.
     pub fn into_coeffs(self) -> Vec<C> {
         self.coeffs
+    }
+
+    /// Puts new coefficients in the place of others. On an error nothing has changed.
+    ///
+    /// # Errors
+    /// [`Error::IndexOutOfRange`], [`Error::NotFinite`], [`Error::Ragged`].
+    ///
+    /// # Examples
+    /// ```
+    /// let mut f = symspline::Function::monomial(1, 0.0, 1.0)?;
+    /// f.replace_coeffs(vec![(1, 5.0)])?;
+    /// assert_eq!(f.coeffs(), [0.0, 5.0]);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    pub fn replace_coeffs(&mut self, new: Vec<(usize, C)>) -> Result<()> {
+        replace(&mut self.coeffs, new)
     }
 
     /// Coefficient `i` of the unrolled space.

@@ -4,3 +4,4 @@ pub mod norm;
 mod orthogonal;
 pub mod change;
 pub(crate) mod above;
+pub mod sparse;

@@ -1,5 +1,9 @@
 //! What can go wrong, as one enum with data.
 
+pub mod shape;
+
+use shape::ShapeError;
+
 /// The result of an operation that can fail.
 pub type Result<T> = std::result::Result<T, Error>;
 
@@ -354,6 +358,9 @@ pub enum Error {
         /// The index of the leg.
         index: usize,
     },
+    /// A shape tool refused.
+    #[error(transparent)]
+    Shape(#[from] ShapeError),
     /// A text is not a number.
     #[error("'{text}' is not a fraction p/q: {reason}")]
     NotANumber {

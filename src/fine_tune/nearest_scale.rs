@@ -72,7 +72,7 @@ impl<T: Scalar> NearestScale<T> {
     ) -> Result<Self> {
         let Rows { rows, targets, sources, area } = Rows::of(curve, scales, conditions)?;
         let change = LeastChange::new(scales, &rows, norm)?;
-        let area = area.map(|source| Ok((AreaForm::of(curve, scales)?, source))).transpose()?;
+        let area = area.map(|source| AreaForm::of(curve, scales).map(|form| (form, source))).transpose()?;
         Ok(Self { change, area, norm, targets, sources, floor: T::frac(1, 100) })
     }
 

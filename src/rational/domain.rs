@@ -25,6 +25,12 @@ pub trait Domain<T: Scalar>: Clone + Debug + PartialEq + sealed::Sealed {
     /// The coefficients.
     fn coeffs<C: Coeff<T>>(spline: &Self::Spline<C>) -> &[C];
 
+    /// Puts new coefficients in the place of others. On an error nothing has changed.
+    ///
+    /// # Errors
+    /// As [`Spline::replace_coeffs`].
+    fn replace_coeffs<C: Coeff<T>>(spline: &mut Self::Spline<C>, new: Vec<(usize, C)>) -> Result<()>;
+
     /// The spline over the same spaces with every coefficient replaced.
     ///
     /// # Errors
@@ -85,6 +91,10 @@ impl<T: Scalar> Domain<T> for Interval {
         spline.coeffs()
     }
 
+    fn replace_coeffs<C: Coeff<T>>(spline: &mut Spline<T, C>, new: Vec<(usize, C)>) -> Result<()> {
+        spline.replace_coeffs(new)
+    }
+
     fn map_coeffs<C: Coeff<T>, D: Coeff<T>>(
         spline: &Spline<T, C>,
         f: impl Fn(&C) -> D,
@@ -124,6 +134,10 @@ impl<T: Scalar> Domain<T> for Rectangle {
 
     fn coeffs<C: Coeff<T>>(spline: &TensorSpline<T, C>) -> &[C] {
         spline.coeffs()
+    }
+
+    fn replace_coeffs<C: Coeff<T>>(spline: &mut TensorSpline<T, C>, new: Vec<(usize, C)>) -> Result<()> {
+        spline.replace_coeffs(new)
     }
 
     fn map_coeffs<C: Coeff<T>, D: Coeff<T>>(

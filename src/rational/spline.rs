@@ -127,6 +127,11 @@ impl<D: Domain<T>, T: Scalar, C: Coeff<T>> Rational<D, T, C> {
         &self.lifted
     }
 
+    /// Puts weighted points in the place of others with the same weights, so that the denominator stays.
+    pub(crate) fn replace_points(&mut self, new: Vec<(usize, Weighted<T, C>)>) -> Result<()> {
+        D::replace_coeffs(&mut self.lifted, new)
+    }
+
     /// The spline of weighted points, moved out.
     pub fn into_lifted(self) -> D::Spline<Weighted<T, C>> {
         self.lifted

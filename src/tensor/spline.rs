@@ -1,6 +1,6 @@
 //! Tensor-product splines: a grid of coefficients over two spaces.
 
-use crate::coeff::{Coeff, check_shapes};
+use crate::coeff::{Coeff, check_shapes, replace};
 use crate::error::{Error, Result};
 use crate::exact::Q;
 use crate::limits::check_dim;
@@ -129,6 +129,24 @@ impl<T: Scalar, C: Coeff<T>> TensorSpline<T, C> {
     /// The coefficients, moved out.
     pub fn into_coeffs(self) -> Vec<C> {
         self.coeffs
+    }
+
+    /// Puts new coefficients in the place of others. On an error nothing has changed.
+    ///
+    /// # Errors
+    /// [`Error::IndexOutOfRange`], [`Error::NotFinite`], [`Error::Ragged`].
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::{SplineSpace, TensorSpline};
+    /// let line = SplineSpace::bezier(1, 0.0, 1.0)?;
+    /// let mut grid = TensorSpline::new(line.clone(), line, vec![0.0; 4])?;
+    /// grid.replace_coeffs(vec![(3, 1.0)])?;
+    /// assert_eq!(grid.at(&1.0, &0.5)?, 0.5);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    pub fn replace_coeffs(&mut self, new: Vec<(usize, C)>) -> Result<()> {
+        replace(&mut self.coeffs, new)
     }
 
     /// The coefficients of one `u` index each.

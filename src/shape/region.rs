@@ -1,0 +1,167 @@
+//! The part of a shape that a tool works on: more knots there first, then the control points that have influence nowhere
+//! else.
+
+use crate::error::shape::ShapeError;
+use crate::error::{Error, Result};
+use crate::limits::check_dim;
+use crate::scalar::Scalar;
+use crate::shape::controlled::Controlled;
+use crate::space::SplineSpace;
+use crate::tensor::along::Direction;
+use std::cmp::Ordering;
+use std::collections::BinaryHeap;
+use std::ops::Range;
+
+/// How many knots an interval gets: the middle of its longest span again and again, the first of several [NURBS,
+/// section 11.4].
+///
+/// The ends of the interval become knots in any case.
+///
+/// # Examples
+/// ```
+/// use symspline::{Refinement, SplineSpace};
+/// let space = SplineSpace::clamped(3, [0.0, 1.0, 2.0, 4.0])?;
+/// assert_eq!(Refinement::Count(3).knots(&space, &0.5, &4.0)?, [0.5, 1.5, 2.5, 3.0]);
+/// assert_eq!(Refinement::Spacing(1.0).knots(&space, &1.0, &4.0)?, [3.0]);
+/// # Ok::<(), symspline::Error>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub enum Refinement<T> {
+    /// This many knots besides the ends of the interval.
+    Count(usize),
+    /// As many as it takes that no span of the interval is longer.
+    Spacing(T),
+}
+
+/// A span of an interval; longer ones are greater, of equal ones the first.
+struct Stretch<T> {
+    start: T,
+    end: T,
+    length: T,
+}
+
+impl<T: Scalar> Stretch<T> {
+    fn new(start: T, end: T) -> Self {
+        let length = end.clone() - &start;
+        Self { start, end, length }
+    }
+
+    /// The two halves; none if there is no number between the ends.
+    fn halves(self) -> Option<(Self, T, Self)> {
+        let middle = self.start.clone() + self.length / T::int(2);
+        let between = self.start < middle && middle < self.end;
+        between.then(|| (Self::new(self.start, middle.clone()), middle.clone(), Self::new(middle, self.end)))
+    }
+}
+
+impl<T: Scalar> Ord for Stretch<T> {
+    fn cmp(&self, other: &Self) -> Ordering {
+        let by_length = self.length.partial_cmp(&other.length);
+        let by_place = other.start.partial_cmp(&self.start);
+        by_length.unwrap_or(Ordering::Equal).then(by_place.unwrap_or(Ordering::Equal))
+    }
+}
+
+impl<T: Scalar> PartialOrd for Stretch<T> {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl<T: Scalar> PartialEq for Stretch<T> {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other) == Ordering::Equal
+    }
+}
+
+impl<T: Scalar> Eq for Stretch<T> {}
+
+impl<T: Scalar> Refinement<T> {
+    /// The knots to insert between `start` and `end`, ascending.
+    ///
+    /// # Errors
+    /// [`Error::OutsideDomain`]; [`Error::EmptyDomain`] unless `start < end`; [`Error::TooLarge`];
+    /// [`Error::BadTolerance`] for a spacing that is not positive; [`Error::SpanOutOfRange`] if no number is left between
+    /// two knots.
+    pub fn knots(&self, space: &SplineSpace<T>, start: &T, end: &T) -> Result<Vec<T>> {
+        if start >= end {
+            return Err(Error::EmptyDomain { start: start.to_string(), end: end.to_string() });
+        }
+        space.locate(start)?;
+        let last = space.locate_left(end)?;
+        let mut breaks: Vec<T> = space.breaks().into_iter().map(|(t, _)| t).collect();
+        breaks.retain(|t| start < t && t < end);
+        let inner = breaks.len();
+        breaks.insert(0, start.clone());
+        breaks.push(end.clone());
+        let has =
+            |t: &T| space.knots().binary_search_by(|k| k.partial_cmp(t).unwrap_or(Ordering::Equal)).is_ok();
+        let mut new: Vec<T> = [start, end].into_iter().filter(|t| !has(t)).cloned().collect();
+        let mut heap: BinaryHeap<Stretch<T>> =
+            breaks.windows(2).map(|ends| Stretch::new(ends[0].clone(), ends[1].clone())).collect();
+        let is_done = |added: usize, longest: &T| match self {
+            Self::Count(count) => added == *count,
+            Self::Spacing(spacing) => longest <= spacing,
+        };
+        match self {
+            Self::Count(count) => check_dim(count.saturating_add(inner))?,
+            Self::Spacing(spacing) if *spacing > T::zero() && spacing.is_finite() => {}
+            Self::Spacing(spacing) => return Err(Error::BadTolerance { tolerance: spacing.to_string() }),
+        }
+        let mut added = 0;
+        while let Some(longest) = heap.pop() {
+            if is_done(added, &longest.length) {
+                break;
+            }
+            check_dim(space.dim() + added)?;
+            let (left, middle, right) = longest.halves().ok_or(Error::SpanOutOfRange { index: last })?;
+            heap.extend([left, right]);
+            new.push(middle);
+            added += 1;
+        }
+        new.sort_by(|s, t| s.partial_cmp(t).unwrap_or(Ordering::Equal));
+        Ok(new)
+    }
+
+    /// The same shape with these knots along `direction`.
+    ///
+    /// # Errors
+    /// Those of [`knots`](Self::knots) and of the insertion.
+    pub fn of<S: Controlled<T>>(&self, shape: &S, direction: Direction, start: &T, end: &T) -> Result<S> {
+        let knots = self.knots(shape.space_along(direction), start, end)?;
+        shape.inserted_along(direction, &knots)
+    }
+}
+
+impl<T: Scalar> SplineSpace<T> {
+    /// The coefficients without influence outside `[start, end]`, which are knots: `s ..= e - p - 1`, with `t_s` the first
+    /// copy of `start` and `t_e` the last one of `end` [NURBS, (11.40)].
+    ///
+    /// In a periodic space they are unrolled indices; [`slot`](Self::slot) gives their places.
+    ///
+    /// # Errors
+    /// [`Error::OutsideDomain`]; [`ShapeError::NoKnot`] if an end is none.
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::SplineSpace;
+    /// let space = SplineSpace::clamped(2, [0.0, 1.0, 2.0, 3.0, 4.0, 5.0])?;
+    /// assert_eq!(space.local_coeffs(&1.0, &5.0)?, 3..7);
+    /// assert_eq!(space.local_coeffs(&1.0, &3.0)?, 3..3);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    pub fn local_coeffs(&self, start: &T, end: &T) -> Result<Range<usize>> {
+        self.locate(start)?;
+        self.locate_left(end)?;
+        let t = self.knots();
+        let (first, past) = (t.partition_point(|k| k < start), t.partition_point(|k| k <= end));
+        for (place, knot) in [(Some(first), start), (past.checked_sub(1), end)] {
+            if place.and_then(|i| t.get(i)) != Some(knot) {
+                return Err(ShapeError::NoKnot { value: knot.to_string() }.into());
+            }
+        }
+        let unrolled = t.len() - self.degree() - 1;
+        let end = past.saturating_sub(self.degree() + 1).min(unrolled);
+        Ok(first..end.max(first))
+    }
+}
