@@ -10,7 +10,7 @@
 
 use crate::constrain::change::LeastChange;
 use crate::constrain::norm::Norm;
-use crate::constrain::orthogonal::{Split, Step, split};
+use crate::constrain::orthogonal::{Change, Split, Step, split};
 use crate::error::{Error, Result};
 use crate::functional::{Functional, weigh};
 use crate::limits::check_entries;
@@ -91,7 +91,8 @@ pub(crate) fn nearest_above<T: Scalar>(
     let dense: Vec<Vec<T>> =
         rows.rows().map(|(first, weights)| Functional::new(first, weights).to_dense(n)).collect();
     let changes = norm.changes(change.space(), &dense)?;
-    let taken_apart = |i: usize, steps: &[Step<T>]| split(steps, &dense[i], &changes[i]);
+    let taken_apart =
+        |i: usize, steps: &[Step<T>]| split(steps, &dense[i], Change::Given(changes[i].clone()));
     let size = wanted.iter().map(T::magnitude).fold(floor.magnitude(), larger);
     let noise = if T::EXACT { T::zero() } else { size * T::frac(1, 1 << 40) };
 

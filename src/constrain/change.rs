@@ -8,7 +8,7 @@
 
 use crate::coeff::Coeff;
 use crate::constrain::norm::Norm;
-use crate::constrain::orthogonal::{Split, Step, split};
+use crate::constrain::orthogonal::{Change, Split, Step, split};
 use crate::error::{Error, Result};
 use crate::functional::Functional;
 use crate::limits::check_entries;
@@ -70,7 +70,7 @@ impl<T: Scalar> LeastChange<T> {
         let changes = norm.changes(space, &dense)?;
         let (mut steps, mut splits, mut own) = (Vec::new(), Vec::new(), Vec::new());
         for (row, change) in dense.iter().zip(&changes) {
-            let Split { shares, rest } = split(&steps, row, change);
+            let Split { shares, rest } = split(&steps, row, Change::Given(change.clone()));
             own.push(rest.is_some().then_some(steps.len()));
             splits.push(shares);
             steps.extend(rest);

@@ -5,3 +5,4 @@ mod orthogonal;
 pub mod change;
 pub(crate) mod above;
 pub mod sparse;
+pub mod least;

@@ -66,6 +66,12 @@ impl<T: Scalar> SparseRow<T> {
         Some(&self.terms[found].1)
     }
 
+    /// The functional without the weights at some indices.
+    #[must_use]
+    pub fn without(&self, left_out: impl Fn(usize) -> bool) -> Self {
+        Self { terms: self.terms.iter().filter(|(i, _)| !left_out(*i)).cloned().collect() }
+    }
+
     /// The value on `coeffs`; none for a functional without weights.
     ///
     /// # Panics

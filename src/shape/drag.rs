@@ -58,11 +58,16 @@ impl<T: Scalar> Drag<T> {
     /// [`Error::CoefficientCount`] unless there is a vector for each column, and as many control points as the shape had for
     /// which this was prepared; [`Error::NotFinite`] on overflow.
     pub fn apply<S: Controlled<T>>(&self, shape: &mut S, by: &[S::Point]) -> Result<()> {
-        let found = shape.control_count();
-        if found != self.count {
-            return Err(Error::CoefficientCount { expected: self.count, found });
-        }
+        self.check(shape)?;
         shape.move_points(&self.moves(by)?)
+    }
+
+    /// Refuses shapes with another number of control points.
+    pub(crate) fn check<S: Controlled<T>>(&self, shape: &S) -> Result<()> {
+        match shape.control_count() {
+            found if found != self.count => Err(Error::CoefficientCount { expected: self.count, found }),
+            _ => Ok(()),
+        }
     }
 
     /// The edited shape.

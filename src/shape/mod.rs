@@ -6,5 +6,12 @@
 
 pub mod controlled;
 pub mod drag;
-pub mod nodes;
 pub mod region;
+pub mod nodes;
+pub mod grip;
+pub mod legs;
+pub mod confine;
+pub mod constraints;
+pub mod relief;
+pub mod coupled;
+pub mod curvature_handle;

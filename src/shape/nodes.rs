@@ -2,7 +2,8 @@
 
 use crate::error::shape::ShapeError;
 use crate::error::{Error, Result};
-use crate::scalar::Scalar;
+use crate::ops::bound::epsilon;
+use crate::scalar::{Scalar, larger};
 use crate::space::SplineSpace;
 
 impl<T: Scalar> SplineSpace<T> {
@@ -64,5 +65,103 @@ impl<T: Scalar> SplineSpace<T> {
         let k = self.locate(x)?;
         let found = (k - self.degree()..=k).rev().find(|i| self.mean_of_knots(*i) <= *x);
         found.ok_or_else(|| ShapeError::NoNodeBefore { parameter: x.to_string() }.into())
+    }
+
+    /// The knot whose insertion makes `x` a node, `p x - (t_{k+2} + ... + t_{k+p})` with `k` from
+    /// [`node_before`](Self::node_before); node `k + 1` is then `x`. None if `x` is a node already [NURBS, (11.6)].
+    ///
+    /// A point that is moved by the coefficient of its node moves farthest of all, nearly, and the curve to both sides
+    /// alike. In a periodic space the knot is in the domain.
+    ///
+    /// # Errors
+    /// [`Error::OutsideDomain`], [`ShapeError::NoNodeBefore`], [`Error::DegreeTooLow`] for degree zero;
+    /// [`ShapeError::KnotThere`] if that is a knot already, in floating point but for rounding: one more copy would let
+    /// the curve lose a derivative, as [NURBS, Figure 11.5] shows.
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::{ShapeError, SplineSpace};
+    /// let space = SplineSpace::clamped(3, [0.0, 1.0, 2.0, 3.0, 4.0])?;
+    /// assert_eq!(space.node_placing_knot(&1.5)?, Some(1.5));
+    /// assert_eq!(space.refined(&[1.5])?.node(3)?, 1.5);
+    /// let parabolas = SplineSpace::clamped(2, [0.0, 0.25, 0.5, 0.75, 1.0])?;
+    /// let refused = ShapeError::KnotThere { knot: "0.5".into() };
+    /// assert_eq!(parabolas.node_placing_knot(&0.5).unwrap_err(), refused.into());
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    pub fn node_placing_knot(&self, x: &T) -> Result<Option<T>> {
+        let (p, t) = (self.degree(), self.knots());
+        if p == 0 {
+            return Err(Error::DegreeTooLow { degree: 0, needed: 1 });
+        }
+        let k = self.node_before(x)?;
+        if self.mean_of_knots(k) == *x {
+            return Ok(None);
+        }
+        // From x, so that no sum overflows.
+        let knot = t[k + 2..=k + p].iter().fold(x.clone(), |knot, t| knot + (x.clone() - t));
+        self.new_knot(knot).map(Some)
+    }
+
+    /// The coefficient whose node is nearest to `x`, wherever it has influence; its place in the list.
+    pub(crate) fn coeff_at_node(&self, x: &T) -> usize {
+        let (mut low, mut high) = (0, self.unrolled_dim() - 1);
+        let (a, b) = self.domain();
+        let round = b.clone() - a;
+        let x = match self.is_periodic() {
+            true if x < a => x.clone() + round,
+            true if x >= b => x.clone() - round,
+            _ => x.clone(),
+        };
+        // Nodes do not decrease.
+        while low + 1 < high {
+            let middle = low.midpoint(high);
+            *(if self.mean_of_knots(middle) <= x { &mut low } else { &mut high }) = middle;
+        }
+        let distance = |i: usize| (self.mean_of_knots(i) - &x).magnitude();
+        self.slot(if distance(high) < distance(low) { high } else { low })
+    }
+
+    /// A value in the domain of a periodic space, or as it is, if it is not a knot, in floating point but for rounding.
+    pub(crate) fn new_knot(&self, value: T) -> Result<T> {
+        let (a, b) = self.domain();
+        let (value, period) = (value, b.clone() - a);
+        let value = match self.is_periodic() {
+            true if value < *a => value + period,
+            true if value >= *b => value - period,
+            _ => value,
+        };
+        let t = self.knots();
+        let noise = if T::EXACT {
+            T::zero()
+        } else {
+            let size = larger(a.magnitude(), b.magnitude());
+            size * epsilon::<T>() * T::int(self.degree() as i64 + 2)
+        };
+        let near = |i: usize| (t[i].clone() - &value).magnitude() <= noise;
+        let place = t.partition_point(|knot| *knot < value);
+        match [place.wrapping_sub(1), place].into_iter().find(|i| *i < t.len() && near(*i)) {
+            Some(i) => Err(ShapeError::KnotThere { knot: t[i].to_string() }.into()),
+            None => Ok(value),
+        }
+    }
+
+    /// Where coefficient `i` of the unrolled space has influence: from `t_i` to `t_{i+p+1}`.
+    ///
+    /// # Errors
+    /// [`Error::IndexOutOfRange`].
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::SplineSpace;
+    /// assert_eq!(SplineSpace::clamped(2, [0.0, 1.0, 3.0])?.support(1)?, (&0.0, &3.0));
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    pub fn support(&self, i: usize) -> Result<(&T, &T)> {
+        let length = self.unrolled_dim();
+        if i >= length {
+            return Err(Error::IndexOutOfRange { index: i, length });
+        }
+        Ok((&self.knots()[i], &self.knots()[i + self.degree() + 1]))
     }
 }
