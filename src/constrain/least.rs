@@ -181,7 +181,7 @@ fn by_orthogonal_rows<T: Scalar>(rows: &[Vec<T>], inverse: &[T], excess: Excess)
 }
 
 fn refusal(condition: usize, on: Vec<usize>, conditions: usize, free: usize) -> ShapeError {
-    if conditions <= free {
+    if conditions <= free || on.is_empty() {
         return ShapeError::Dependent { condition, on };
     }
     let clashing = on.into_iter().chain([condition]).collect();
@@ -232,4 +232,59 @@ fn pseudo_inverted<T: Scalar>(shares: &[Vec<T>], rank: usize) -> Result<Vec<Vec<
     let normal = DMatrix::from_fn(rank, rank, entry);
     let solved = solve_dense(&normal, &transposed)?;
     Ok((0..rank).map(|k| solved.row(k).iter().cloned().collect()).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::exact::Q;
+    use proptest::collection::vec;
+    use proptest::prelude::*;
+
+    fn rows(m: usize) -> impl Strategy<Value = (Vec<Vec<Q>>, Vec<Q>)> {
+        let number = (-9_i64..=9, 1_i64..=4).prop_map(|(n, d)| Q::frac(n, d));
+        (vec(vec(number, 6), m), vec((1_i64..=5).prop_map(|d| Q::frac(1, d)), 6))
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { cases: 300, failure_persistence: None, ..ProptestConfig::default() })]
+
+        #[test]
+        fn cofactors_and_orthogonal_rows_give_one_matrix((rows, inverse) in (1_usize..=3).prop_flat_map(rows)) {
+            let by_rows = by_orthogonal_rows(&rows, &inverse, Excess::Refused);
+            match closed_form(&rows, &inverse) {
+                Some(matrix) => prop_assert_eq!(matrix, by_rows?),
+                None => {
+                    let dependent = matches!(by_rows, Err(Error::Shape(ShapeError::Dependent { .. })));
+                    prop_assert!(dependent);
+                }
+            }
+            let floats: Vec<Vec<f64>> = rows.iter().map(|row| row.iter().map(Q::to_f64).collect()).collect();
+            let inverse: Vec<f64> = inverse.iter().map(Q::to_f64).collect();
+            if let Some(matrix) = closed_form(&floats, &inverse) {
+                let others = by_orthogonal_rows(&floats, &inverse, Excess::Refused)?;
+                let size = others.iter().fold(0.0, |size: f64, x| size.max(x.abs()));
+                // The determinant may have lost twelve bits.
+                let allowed = f64::EPSILON * 4096.0 * 32.0 * size;
+                for (x, y) in matrix.iter().zip(&others) {
+                    prop_assert!((x - y).abs() <= allowed, "{} {}", x, y);
+                }
+            }
+        }
+
+        #[test]
+        fn an_adjugate_is_the_inverse_times_the_determinant((rows, _) in (1_usize..=3).prop_flat_map(rows)) {
+            let m = rows.len();
+            let f = |i: usize, j: usize| Q::dot(rows[i].iter().zip(&rows[j]));
+            let entry = |i: usize, j: usize| if i.max(j) < m { f(i, j) } else { Q::int(0) };
+            let inner: [[Q; 3]; 3] = std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j)));
+            let (cofactors, determinant) = adjugate(&inner, m);
+            for i in 0..m {
+                for j in 0..m {
+                    let sum = (0..m).fold(Q::int(0), |sum, k| sum + inner[i][k].clone() * &cofactors[k][j]);
+                    prop_assert_eq!(sum, if i == j { determinant.clone() } else { Q::int(0) });
+                }
+            }
+        }
+    }
 }

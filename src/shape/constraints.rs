@@ -158,14 +158,14 @@ impl<'a, T: Scalar, S: Controlled<T>> Constraints<'a, T, S> {
     /// [`ShapeError::Overdetermined`] and [`ShapeError::Dependent`], with the constraints that clash, unless
     /// [`Excess::LeastSquares`] is asked for; [`Error::CoefficientCount`] without constraints; [`Error::TooLarge`];
     /// [`Error::NotFinite`] on overflow.
-    pub fn prepare(&self) -> Result<Constrained<T>> {
+    pub fn prepare(&self) -> Result<Constrained<T, S>> {
         let rows: Vec<SparseRow<T>> = self.wanted.iter().map(|wanted| wanted.row.clone()).collect();
         let free: Vec<SparseRow<T>> =
             rows.iter().map(|row| row.without(|i| self.held.contains(&i))).collect();
         let price = |i: usize| self.weights.get(&i).cloned().unwrap_or_else(T::one);
         let (indices, matrix) = least_moves(&free, price, self.excess)?;
-        let drag = Drag::new(self.shape.control_count(), indices, matrix, rows.len());
-        Ok(Constrained { rows, drag })
+        let drag = Drag::new(self.shape.control_count(), indices, matrix, free.len());
+        Ok(Constrained { wanted: self.wanted.clone(), drag })
     }
 
     pub(crate) fn may_move(&self, flat: usize) -> bool {
@@ -178,16 +178,16 @@ impl<'a, T: Scalar, S: Controlled<T>> Constraints<'a, T, S> {
 }
 
 /// Constraints with their matrix, ready to be dragged.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub struct Constrained<T> {
-    rows: Vec<SparseRow<T>>,
+#[derive(Clone, Debug)]
+pub struct Constrained<T: Scalar, S: Controlled<T>> {
+    wanted: Vec<Wanted<T, S>>,
     drag: Drag<T>,
 }
 
-impl<T: Scalar> Constrained<T> {
+impl<T: Scalar, S: Controlled<T>> Constrained<T, S> {
     /// The rows of `B`, in the order in which they were asked for.
-    pub fn rows(&self) -> &[SparseRow<T>] {
-        &self.rows
+    pub fn rows(&self) -> impl ExactSizeIterator<Item = &SparseRow<T>> {
+        self.wanted.iter().map(|wanted| &wanted.row)
     }
 
     /// The matrix `A`.
@@ -200,7 +200,7 @@ impl<T: Scalar> Constrained<T> {
     ///
     /// # Errors
     /// As [`Drag::apply`].
-    pub fn drag<S: Controlled<T>>(&self, shape: &mut S, changes: &[S::Point]) -> Result<()> {
+    pub fn drag(&self, shape: &mut S, changes: &[S::Point]) -> Result<()> {
         self.drag.apply(shape, changes)
     }
 
@@ -208,14 +208,14 @@ impl<T: Scalar> Constrained<T> {
     ///
     /// # Errors
     /// As [`Drag::apply`].
-    pub fn dragged<S: Controlled<T>>(&self, shape: &S, changes: &[S::Point]) -> Result<S> {
+    pub fn dragged(&self, shape: &S, changes: &[S::Point]) -> Result<S> {
         self.drag.applied(shape, changes)
     }
 
     /// Gives the constrained values the values `targets` [FB (2)]. On an error the shape stays as it is.
     ///
     /// # Errors
-    /// As [`Drag::apply`]; [`Error::Weight`] if a control point that has influence is at infinity.
+    /// As [`Drag::apply`]; [`Error::Weight`] if a row weighs a control point at infinity.
     ///
     /// # Examples
     /// ```
@@ -226,16 +226,20 @@ impl<T: Scalar> Constrained<T> {
     /// assert_eq!((f.at(&Q::int(0))?, f.at(&Q::int(1))?), (Q::int(5), Q::int(7)));
     /// # Ok::<(), symspline::Error>(())
     /// ```
-    pub fn meet<S: Controlled<T>>(&self, shape: &mut S, targets: &[S::Point]) -> Result<()> {
-        if targets.len() != self.rows.len() {
-            return Err(Error::CoefficientCount { expected: self.rows.len(), found: targets.len() });
+    pub fn meet(&self, shape: &mut S, targets: &[S::Point]) -> Result<()> {
+        if targets.len() != self.wanted.len() {
+            return Err(Error::CoefficientCount { expected: self.wanted.len(), found: targets.len() });
         }
-        let gap = |(row, target): (&SparseRow<T>, &S::Point)| {
-            row.terms().iter().try_fold(target.clone(), |gap, (i, w)| {
+        self.drag.check(shape)?;
+        let gap = |(wanted, target): (&Wanted<T, S>, &S::Point)| {
+            if let Some((at, order)) = &wanted.derivative {
+                return Ok(target.minus(&shape.derivative_of(at, *order)?));
+            }
+            wanted.row.terms().iter().try_fold(target.clone(), |gap, (i, w)| {
                 Ok(gap.plus_scaled(&-w.clone(), &shape.control_point(*i)?))
             })
         };
-        let changes = self.rows.iter().zip(targets).map(gap).collect::<Result<Vec<_>>>()?;
+        let changes = self.wanted.iter().zip(targets).map(gap).collect::<Result<Vec<_>>>()?;
         self.drag(shape, &changes)
     }
 }

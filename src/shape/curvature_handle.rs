@@ -3,8 +3,9 @@
 use crate::coeff::Coeff;
 use crate::error::{Error, Result};
 use crate::scalar::{Real, Scalar};
-use crate::shape::constraints::{Constrained, Constraints};
+use crate::shape::constraints::Constraints;
 use crate::shape::controlled::Controlled;
+use crate::shape::drag::Drag;
 use crate::vector::{dot, length};
 use nalgebra::SVector;
 
@@ -31,7 +32,7 @@ use nalgebra::SVector;
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct CurvatureHandle<T> {
     x: T,
-    held: Constrained<T>,
+    drag: Drag<T>,
 }
 
 impl<T: Scalar> CurvatureHandle<T> {
@@ -53,19 +54,19 @@ impl<T: Scalar> CurvatureHandle<T> {
         x: &T,
     ) -> Result<Self> {
         let held = wishes.derivative(x, 0)?.derivative(x, 1)?.derivative(x, 2)?.prepare()?;
-        Ok(Self { x: x.clone(), held })
+        Ok(Self { x: x.clone(), drag: held.matrix().clone() })
     }
 
     /// Adds `by` to the second derivative. On an error the curve stays as it is.
     ///
     /// # Errors
-    /// As [`Drag::apply`](crate::Drag::apply).
+    /// As [`Drag::apply`].
     pub fn push<S: Controlled<T>>(&self, curve: &mut S, by: &S::Point) -> Result<()> {
-        let mut changes = vec![by.zero_like(); self.held.rows().len()];
+        let mut changes = vec![by.zero_like(); self.drag.columns()];
         if let Some(last) = changes.last_mut() {
             *last = by.clone();
         }
-        self.held.drag(curve, &changes)
+        self.drag.apply(curve, &changes)
     }
 
     /// Adds `amount C'` to the second derivative, which keeps the curvature [FB, Figure 4 (b)].

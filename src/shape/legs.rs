@@ -111,32 +111,47 @@ impl<T: Scalar> LegPoint<T> {
     /// The knot that makes it a control point.
     ///
     /// # Errors
-    /// [`Error::DegreeTooLow`] for degree zero; [`Error::IndexOutOfRange`] for another shape than it was made for.
+    /// [`Error::DegreeTooLow`] for degree zero; [`Error::Weight`] if a weight of an end is not positive;
+    /// [`Error::IndexOutOfRange`] for another shape than it was made for.
     pub fn knot<S: Controlled<T>>(&self, shape: &S) -> Result<T> {
         let space = shape.space_along(self.direction);
         let (p, t) = (space.degree(), space.knots());
         if p == 0 {
             return Err(Error::DegreeTooLow { degree: 0, needed: 1 });
         }
-        let from = shape.control_weight(self.ends.0)? * &self.fraction;
-        let to = shape.control_weight(self.ends.1)? * (T::one() - &self.fraction);
+        let weight = |index: usize| match shape.control_weight(index)? {
+            weight if weight > T::zero() => Ok(weight),
+            weight => Err(Error::Weight { index, weight: weight.to_string() }),
+        };
+        let from = weight(self.ends.0)? * &self.fraction;
+        let to = weight(self.ends.1)? * (T::one() - &self.fraction);
         let past = Error::IndexOutOfRange { index: self.k + p + 1, length: t.len() };
         let (start, end) = (&t[self.k + 1], t.get(self.k + p + 1).ok_or(past)?);
         let alpha = from.clone() / (from + to);
         Ok(start.clone() + alpha * (end.clone() - start))
     }
 
+    /// Whether that is a knot already, in floating point but for rounding: one more copy lets the shape lose a derivative there
+    /// as soon as the new control point moves.
+    ///
+    /// # Errors
+    /// As [`knot`](Self::knot); [`Error::TooFewKnots`] for a ring of fewer than `p` coefficients.
+    pub fn is_knot<S: Controlled<T>>(&self, shape: &S) -> Result<bool> {
+        Ok(shape.space_along(self.direction).placed(self.knot(shape)?)?.1)
+    }
+
     /// The shape with that knot, and the place of the new control point along the direction.
     ///
     /// # Errors
-    /// As [`knot`](Self::knot); [`ShapeError::KnotThere`] if that is a knot already; those of the insertion.
+    /// As [`knot`](Self::knot); [`Error::TooFewKnots`] for a ring of fewer than `p` coefficients; those of the insertion, as
+    /// [`Error::Multiplicity`] for a knot with all copies there can be.
     pub fn inserted<S: Controlled<T>>(&self, shape: &S) -> Result<(S, usize)> {
         let space = shape.space_along(self.direction);
         let knot = self.knot(shape)?;
         let (p, t) = (space.degree(), space.knots());
         let rises = t[self.k + 2..=self.k + p].iter().fold(T::zero(), |sum, t| sum + (t.clone() - &knot));
         let node = knot.clone() + rises / T::int(p as i64);
-        let finer = shape.inserted_along(self.direction, &[space.new_knot(knot)?])?;
+        let finer = shape.inserted_along(self.direction, &[space.placed(knot)?.0])?;
         let place = finer.space_along(self.direction).coeff_at_node(&node);
         Ok((finer, place))
     }

@@ -76,7 +76,8 @@ impl<T: Scalar> SplineSpace<T> {
     /// # Errors
     /// [`Error::OutsideDomain`], [`ShapeError::NoNodeBefore`], [`Error::DegreeTooLow`] for degree zero;
     /// [`ShapeError::KnotThere`] if that is a knot already, in floating point but for rounding: one more copy would let
-    /// the curve lose a derivative, as [NURBS, Figure 11.5] shows.
+    /// the curve lose a derivative, as [NURBS, Figure 11.5] shows; [`Error::TooFewKnots`] for a ring of fewer than `p`
+    /// coefficients.
     ///
     /// # Examples
     /// ```
@@ -100,7 +101,10 @@ impl<T: Scalar> SplineSpace<T> {
         }
         // From x, so that no sum overflows.
         let knot = t[k + 2..=k + p].iter().fold(x.clone(), |knot, t| knot + (x.clone() - t));
-        self.new_knot(knot).map(Some)
+        match self.placed(knot)? {
+            (knot, true) => Err(ShapeError::KnotThere { knot: knot.to_string() }.into()),
+            (knot, false) => Ok(Some(knot)),
+        }
     }
 
     /// The coefficient whose node is nearest to `x`, wherever it has influence; its place in the list.
@@ -122,10 +126,14 @@ impl<T: Scalar> SplineSpace<T> {
         self.slot(if distance(high) < distance(low) { high } else { low })
     }
 
-    /// A value in the domain of a periodic space, or as it is, if it is not a knot, in floating point but for rounding.
-    pub(crate) fn new_knot(&self, value: T) -> Result<T> {
+    /// A value, in a periodic space brought into the domain, and whether it is a knot; in floating point one that is so but
+    /// for rounding is taken for it. Refuses rings so small that each knot counts twice for a coefficient.
+    pub(crate) fn placed(&self, value: T) -> Result<(T, bool)> {
+        if self.is_periodic() && self.dim() < self.degree() {
+            return Err(Error::TooFewKnots { expected: self.degree(), found: self.dim() });
+        }
         let (a, b) = self.domain();
-        let (value, period) = (value, b.clone() - a);
+        let period = b.clone() - a;
         let value = match self.is_periodic() {
             true if value < *a => value + period,
             true if value >= *b => value - period,
@@ -138,12 +146,10 @@ impl<T: Scalar> SplineSpace<T> {
             let size = larger(a.magnitude(), b.magnitude());
             size * epsilon::<T>() * T::int(self.degree() as i64 + 2)
         };
-        let near = |i: usize| (t[i].clone() - &value).magnitude() <= noise;
+        let near = |i: &usize| *i < t.len() && (t[*i].clone() - &value).magnitude() <= noise;
         let place = t.partition_point(|knot| *knot < value);
-        match [place.wrapping_sub(1), place].into_iter().find(|i| *i < t.len() && near(*i)) {
-            Some(i) => Err(ShapeError::KnotThere { knot: t[i].to_string() }.into()),
-            None => Ok(value),
-        }
+        let there = [place.wrapping_sub(1), place].into_iter().find(near);
+        Ok(there.map_or((value, false), |i| (t[i].clone(), true)))
     }
 
     /// Where coefficient `i` of the unrolled space has influence: from `t_i` to `t_{i+p+1}`.

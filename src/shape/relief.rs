@@ -3,9 +3,9 @@
 use crate::error::shape::ShapeError;
 use crate::error::{Error, Result};
 use crate::scalar::Scalar;
-use crate::shape::constraints::{Constrained, Constraints, Wanted};
+use crate::shape::constraints::{Constrained, Constraints};
 use crate::shape::controlled::Controlled;
-use crate::tensor::along::Direction;
+use crate::space::SplineSpace;
 use std::cmp::Ordering;
 
 /// How a shape gets more control points.
@@ -21,8 +21,8 @@ impl<T: Scalar, S: Controlled<T>> Constraints<'_, T, S> {
     /// The shape, with as many more control points as it takes to meet these constraints, and the constraints prepared for
     /// it. The shape is the same, only finer or of higher degree [NURBS, section 11.5.1].
     ///
-    /// Knots come, one at a time, into the longest gap between places in the span of a constraint that clashes, or between
-    /// the place and the farther end of the span; for surfaces in both directions.
+    /// Knots come, one at a time, into the longest stretch without one between the places of constraints that clash, or
+    /// between a single place and the farther end of its span; for surfaces in both directions.
     ///
     /// # Errors
     /// [`ShapeError::NotCarried`] with rows, held control points or weights, which mean nothing on another shape; those of
@@ -45,7 +45,7 @@ impl<T: Scalar, S: Controlled<T>> Constraints<'_, T, S> {
     /// assert_eq!(wave.at(&Q::frac(3, 4))?, Q::int(-1));
     /// # Ok::<(), symspline::Error>(())
     /// ```
-    pub fn relieved(&self, relief: Relief) -> Result<(S, Constrained<T>)> {
+    pub fn relieved(&self, relief: Relief) -> Result<(S, Constrained<T, S>)> {
         let rows = self.wanted.iter().any(|wanted| wanted.derivative.is_none());
         if rows || !self.held.is_empty() || self.free.is_some() || !self.weights.is_empty() {
             return Err(ShapeError::NotCarried.into());
@@ -59,13 +59,17 @@ impl<T: Scalar, S: Controlled<T>> Constraints<'_, T, S> {
             }
             let clashing = match wanted.prepare() {
                 Ok(held) => return Ok((shape, held)),
-                Err(Error::Shape(ShapeError::Overdetermined { clashing, .. })) => clashing.last().copied(),
-                Err(Error::Shape(ShapeError::Dependent { condition, .. })) => Some(condition),
+                Err(Error::Shape(ShapeError::Overdetermined { clashing, .. })) => clashing,
+                Err(Error::Shape(ShapeError::Dependent { condition, mut on })) => {
+                    on.push(condition);
+                    on
+                }
                 Err(other) => return Err(other),
             };
-            let clashing = &self.wanted[clashing.unwrap_or(0)];
+            let places = clashing.iter().filter_map(|i| self.wanted[*i].derivative.as_ref());
+            let places: Vec<&S::Parameter> = places.map(|(at, _)| at).collect();
             shape = match relief {
-                Relief::Knots => self.with_room(&shape, clashing)?,
+                Relief::Knots => with_room(&shape, &places)?,
                 Relief::Degree => {
                     S::DIRECTIONS.iter().try_fold(shape, |shape, d| shape.elevated_along(*d, 1))?
                 }
@@ -73,39 +77,41 @@ impl<T: Scalar, S: Controlled<T>> Constraints<'_, T, S> {
         }
         self.prepare().and(Err(Error::Undecided))
     }
+}
 
-    /// The shape with a knot in each direction near a constraint.
-    fn with_room(&self, shape: &S, clashing: &Wanted<T, S>) -> Result<S> {
-        let Some((at, _)) = &clashing.derivative else { return Ok(shape.clone()) };
-        S::DIRECTIONS.iter().try_fold(shape.clone(), |shape, direction| {
-            let knot = self.room(&shape, at, *direction)?;
-            shape.inserted_along(*direction, &[knot])
-        })
-    }
+/// The shape with a knot in each direction between some places.
+fn with_room<T: Scalar, S: Controlled<T>>(shape: &S, places: &[&S::Parameter]) -> Result<S> {
+    S::DIRECTIONS.iter().try_fold(shape.clone(), |shape, direction| {
+        let along = places.iter().map(|at| S::coordinate(at, *direction).clone());
+        let knot = room(shape.space_along(*direction), along.collect())?;
+        shape.inserted_along(*direction, &[knot])
+    })
+}
 
-    /// The middle of the longest gap between the places of constraints in the span of one of them.
-    fn room(&self, shape: &S, at: &S::Parameter, direction: Direction) -> Result<T> {
-        let space = shape.space_along(direction);
-        let k = space.locate(S::coordinate(at, direction))?;
+/// The middle of the longest stretch without a knot between the first and the last of some places, or around a single one.
+fn room<T: Scalar>(space: &SplineSpace<T>, mut places: Vec<T>) -> Result<T> {
+    let order = |x: &T, y: &T| x.partial_cmp(y).unwrap_or(Ordering::Equal);
+    places.sort_by(order);
+    places.dedup();
+    if let [x] = &places[..] {
+        let k = space.locate(x)?;
         let (start, end) = (&space.knots()[k], &space.knots()[k + 1]);
-        let places = self.wanted.iter().filter_map(|wanted| wanted.derivative.as_ref());
-        let mut places: Vec<T> = places.map(|(at, _)| S::coordinate(at, direction).clone()).collect();
-        places.retain(|x| start <= x && x <= end);
-        places.sort_by(|x, y| x.partial_cmp(y).unwrap_or(Ordering::Equal));
-        places.dedup();
-        if let [x] = &places[..] {
-            let farther = if x.clone() - start < end.clone() - x { end } else { start };
-            places.push(farther.clone());
-            places.sort_by(|x, y| x.partial_cmp(y).unwrap_or(Ordering::Equal));
-        }
-        let length = |gap: &[T]| gap[1].clone() - &gap[0];
-        let longest =
-            places.windows(2).reduce(|best, gap| if length(best) < length(gap) { gap } else { best });
-        let (from, to) = longest.map_or((start, end), |gap| (&gap[0], &gap[1]));
-        let middle = from.clone() + (to.clone() - from) / T::int(2);
-        match start < &middle && &middle < end {
-            true => Ok(middle),
-            false => Err(Error::SpanOutOfRange { index: k }),
-        }
+        let farther = if x.clone() - start < end.clone() - x { end } else { start };
+        places.push(farther.clone());
+        places.sort_by(order);
+    }
+    let mut ends = places.clone();
+    if let [first, .., last] = &places[..] {
+        ends.extend(space.breaks().into_iter().map(|(t, _)| t).filter(|t| first < t && t < last));
+    }
+    ends.sort_by(order);
+    ends.dedup();
+    let length = |gap: &[T]| gap[1].clone() - &gap[0];
+    let longest = ends.windows(2).reduce(|best, gap| if length(best) < length(gap) { gap } else { best });
+    let gap = longest.ok_or(Error::TooFewPoints { expected: 2, found: ends.len() })?;
+    let middle = gap[0].clone() + length(gap) / T::int(2);
+    match gap[0] < middle && middle < gap[1] {
+        true => Ok(middle),
+        false => Err(Error::SpanOutOfRange { index: space.locate(&gap[0])? }),
     }
 }

@@ -58,6 +58,16 @@ impl Case {
         self.0.as_str().unwrap_or_else(|| panic!("{} is no text", self.0))
     }
 
+    /// Whether there is an entry `key`.
+    pub fn has(self, key: &str) -> bool {
+        self.0.get(key).is_some()
+    }
+
+    /// A yes or no.
+    pub fn flag(self) -> bool {
+        self.0.as_bool().unwrap_or_else(|| panic!("{} is no yes or no", self.0))
+    }
+
     /// Whether the entry `key` is null: what is asked for must be refused.
     pub fn refused(self, key: &str) -> bool {
         self.get(key).0.is_null()

@@ -17,9 +17,11 @@ mod spring;
 mod curvature;
 mod surface;
 mod rational;
+mod shape_reposition;
+mod shape_constraints;
 
 /// The categories tested here, with their numbers of cases.
-const TESTED: [(&str, usize); 27] = [
+const TESTED: [(&str, usize); 34] = [
     ("basis", 22),
     ("curve_ders", 3),
     ("hodograph", 3),
@@ -47,6 +49,13 @@ const TESTED: [(&str, usize); 27] = [
     ("nurbs_basis_ders", 5),
     ("nurbs_surface_ders", 2),
     ("knot_insertion_rational", 1),
+    ("node_placing", 5),
+    ("move_one_control", 4),
+    ("move_two_controls", 8),
+    ("inverse_knot_insertion", 2),
+    ("constraint_curve", 10),
+    ("constraint_surface", 3),
+    ("fowler", 6),
 ];
 
 /// The file holds what its header promises, and nothing that is not tested.
@@ -62,5 +71,5 @@ fn every_case_is_counted() {
     assert_eq!(ids.len(), tested.iter().map(|(_, count)| count).sum::<usize>());
     ids.sort_unstable();
     ids.dedup();
-    assert_eq!(ids.len(), 152, "distinct cases");
+    assert_eq!(ids.len(), 190, "distinct cases");
 }

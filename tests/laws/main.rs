@@ -13,6 +13,8 @@ mod basis;
 mod evaluators;
 mod evaluators_floats;
 mod polar;
+mod shape_constraints;
+mod shape_reposition;
 mod spaces;
 mod containment;
 mod maps;
