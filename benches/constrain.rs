@@ -6,9 +6,7 @@ mod numbers;
 use nalgebra::SVector;
 use numbers::{Group, Numbers, Question};
 use std::hint::black_box;
-use symspline::{
-    Constraints, Controlled, Curve, Drag, Excess, NurbsCurve, Result, Scalar, SplineSpace, Surface,
-};
+use symspline::{Constraints, Controlled, Curve, Drag, NurbsCurve, Result, Scalar, Surface};
 
 fn main() -> Result<()> {
     numbers::run::<Constraining>()
@@ -38,12 +36,10 @@ impl Question for Constraining {
     }
 }
 
-fn space<T: Scalar>(n: usize) -> Result<SplineSpace<T>> {
-    SplineSpace::uniform(3, n, T::zero(), T::int(n as i64 - 3))
-}
-
-fn point<T: Scalar>(numbers: &Numbers<T>, i: usize) -> SVector<T, 3> {
-    SVector::from_fn(|axis, _| (numbers.value)(3 * i + axis))
+/// A place in span `i`, where nothing is simple.
+fn place<T: Scalar>(numbers: &Numbers<T>, i: usize) -> T {
+    let [a, b] = [i, i + 1].map(numbers.knot);
+    (a * T::int(2) + b) / T::int(3)
 }
 
 /// There and back, so that numbers do not grow: what is timed is two drags.
@@ -57,15 +53,13 @@ fn there_and_back<T: Scalar, S: Controlled<T>>(
 }
 
 fn on_curve<T: Scalar>(group: &mut Group<'_>, numbers: &Numbers<T>, n: usize) -> Result<()> {
-    let points: Vec<SVector<T, 3>> = (0..n).map(|i| point(numbers, i)).collect();
-    let curve = Curve::new(space(n)?, points.clone())?;
+    let curve: Curve<T, 3> = numbers.curve(3, n - 3)?;
     let weights = (0..n).map(|i| (numbers.value)(i) + T::int(2)).collect();
-    let rational = NurbsCurve::new(space(n)?, points, weights)?;
-    // Inside a span near the middle, where nothing is simple.
-    let x = T::int(n as i64 / 2 - 2) + T::frac(1, 3);
-    let up = SVector::from_fn(|axis, _| T::int(axis as i64));
+    let rational = NurbsCurve::new(curve.space().clone(), curve.coeffs().to_vec(), weights)?;
+    let x = place(numbers, n / 2 - 2);
+    let up: SVector<T, 3> = SVector::from_fn(|axis, _| T::int(axis as i64));
     let by = [up.clone(), -up.clone()];
-    let mut name = |what: &str| format!("{what}/{} {n}", numbers.name);
+    let name = |what: &str| format!("{what}/{} {n}", numbers.name);
 
     group.bench_function(name("copy"), |b| b.iter(|| black_box(&curve).clone()));
     let mut shape = curve.clone();
@@ -96,12 +90,13 @@ fn on_curve<T: Scalar>(group: &mut Group<'_>, numbers: &Numbers<T>, n: usize) ->
     if n >= 1000 {
         let mut wanted = Constraints::on(&curve);
         for i in 0..100 {
-            wanted = wanted.point(&(T::int(i * (n as i64 - 4) / 100) + T::frac(1, 2)))?;
+            wanted = wanted.point(&place(numbers, i * (n - 4) / 100))?;
         }
         group.bench_function(name("100 constraints, prepared"), |b| b.iter(|| black_box(&wanted).prepare()));
-        let crowded = (0..100)
-            .try_fold(Constraints::on(&curve), |wanted, i| wanted.point(&T::frac(i * 60 + 1, 100)))?;
-        let crowded = crowded.with_excess(Excess::Refused);
+        let mut crowded = Constraints::on(&curve);
+        for i in 0..100 {
+            crowded = crowded.point(&place(numbers, i))?;
+        }
         group.bench_function(name("100 constraints side by side, prepared"), |b| {
             b.iter(|| black_box(&crowded).prepare())
         });
@@ -110,11 +105,11 @@ fn on_curve<T: Scalar>(group: &mut Group<'_>, numbers: &Numbers<T>, n: usize) ->
 }
 
 fn on_surface<T: Scalar>(group: &mut Group<'_>, numbers: &Numbers<T>, n: usize) -> Result<()> {
-    let surface = Surface::new(space(n)?, space(n)?, (0..n * n).map(|i| point(numbers, i)).collect())?;
-    let middle = T::int(n as i64 / 2 - 2) + T::frac(1, 3);
-    let up = SVector::from_fn(|axis, _| T::int(axis as i64));
+    let surface: Surface<T, 3> = numbers.surface(3, n - 3)?;
+    let middle = place(numbers, n / 2 - 2);
+    let up: SVector<T, 3> = SVector::from_fn(|axis, _| T::int(axis as i64));
     let by = [up.clone(), -up.clone()];
-    let mut name = |what: &str| format!("{what}/{} {n} x {n}", numbers.name);
+    let name = |what: &str| format!("{what}/{} {n} x {n}", numbers.name);
 
     group.bench_function(name("copy"), |b| b.iter(|| black_box(&surface).clone()));
     let at = (middle.clone(), middle.clone());
@@ -124,7 +119,7 @@ fn on_surface<T: Scalar>(group: &mut Group<'_>, numbers: &Numbers<T>, n: usize) 
     });
     // Ten places in a row, a span apart.
     let ten = |surface| {
-        let step = |i: i64| (middle.clone() + T::frac(i, 2), middle.clone() - T::frac(i, 3));
+        let step = |i: usize| (place(numbers, n / 2 + i - 6), place(numbers, n / 2 - i + 3));
         (0..10).try_fold(Constraints::on(surface), |wanted, i| wanted.point(&step(i)))?.prepare()
     };
     group.bench_function(name("ten constraints, prepared"), |b| b.iter(|| ten(black_box(&surface))));

@@ -4,7 +4,7 @@
 use nalgebra::{SVector, vector};
 use std::error::Error;
 use std::path::{Path, PathBuf};
-use symspline::plot::Figure;
+use symspline::plot::{Color, Figure, Marker, Panel, Style};
 use symspline::{Curve, SplineSpace};
 
 pub type Plane = Curve<f64, 2>;
@@ -97,4 +97,10 @@ pub fn write(figure: &Figure, output: &Path) -> Outcome<()> {
 /// The path of a picture in `target`, without extension.
 pub fn target(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("target").join(name)
+}
+
+/// The control polygon of a plane curve, marked.
+pub fn polygon(panel: Panel, curve: &Plane, color: Color) -> Outcome<Panel> {
+    let points = curve.coeffs().iter().map(|p| pair(*p));
+    Ok(panel.marked_polyline(points, Marker::Circle, Style::line(color).width(0.8)))
 }
