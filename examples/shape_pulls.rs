@@ -5,7 +5,7 @@
 mod support;
 
 use nalgebra::vector;
-use support::{Outcome, Plane, Point, pair, polygon, target, write};
+use support::{Outcome, Plane, Point, after, before, pair, polygon, target, write};
 use symspline::plot::{Color, Figure, Marker, Panel, Style, curve_path};
 use symspline::{Direction, Drag, Error, LegPoint, ShapeError, SplineSpace, confined};
 
@@ -31,19 +31,6 @@ fn wave() -> Outcome<Plane> {
     let heights = [0.0, 0.35, 0.1, 0.0, 0.25, 0.3, 0.0, 0.1, 0.3];
     let points = (0..9).map(|i| vector![0.125 * f64::from(i), heights[i as usize]]);
     Ok(Plane::new(space, points.collect())?)
-}
-
-/// A panel with a curve and its control polygon.
-fn before(title: &str, curve: &Plane) -> Outcome<Panel> {
-    let panel = Panel::new().title(title).equal_axes().height(250.0);
-    let panel = polygon(panel, curve, Color::GRAY)?;
-    Ok(panel.path(curve_path(curve, 1e-4)?, Style::line(Color::BLACK).width(1.8)).label("before"))
-}
-
-/// The panel with a changed curve, its control polygon, and where a point came to lie.
-fn after(panel: Panel, curve: &Plane, at: f64, color: Color, name: &str) -> Outcome<Panel> {
-    let panel = panel.path(curve_path(curve, 1e-4)?, Style::line(color).width(1.8)).label(name);
-    Ok(panel.markers([pair(curve.at(&at)?)], Marker::Circle, Style::line(color)))
 }
 
 fn up(by: f64) -> [Point; 1] {

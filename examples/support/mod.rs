@@ -4,7 +4,7 @@
 use nalgebra::{SVector, vector};
 use std::error::Error;
 use std::path::{Path, PathBuf};
-use symspline::plot::{Color, Figure, Marker, Panel, Style};
+use symspline::plot::{Color, Figure, Marker, Panel, Style, curve_path};
 use symspline::{Curve, SplineSpace};
 
 pub type Plane = Curve<f64, 2>;
@@ -103,4 +103,17 @@ pub fn target(name: &str) -> PathBuf {
 pub fn polygon(panel: Panel, curve: &Plane, color: Color) -> Outcome<Panel> {
     let points = curve.coeffs().iter().map(|p| pair(*p));
     Ok(panel.marked_polyline(points, Marker::Circle, Style::line(color).width(0.8)))
+}
+
+/// A panel with a curve and its control polygon.
+pub fn before(title: &str, curve: &Plane) -> Outcome<Panel> {
+    let panel = Panel::new().title(title).equal_axes().height(250.0);
+    let panel = polygon(panel, curve, Color::GRAY)?;
+    Ok(panel.path(curve_path(curve, 1e-4)?, Style::line(Color::BLACK).width(1.8)).label("before"))
+}
+
+/// The panel with a changed curve, its control polygon, and where a point came to lie.
+pub fn after(panel: Panel, curve: &Plane, at: f64, color: Color, name: &str) -> Outcome<Panel> {
+    let panel = panel.path(curve_path(curve, 1e-4)?, Style::line(color).width(1.8)).label(name);
+    Ok(panel.markers([pair(curve.at(&at)?)], Marker::Circle, Style::line(color)))
 }
