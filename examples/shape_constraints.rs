@@ -90,15 +90,16 @@ fn three(curve: &Plane) -> Outcome<Panel> {
 
 /// The second derivative across and along the tangent.
 fn curvature(curve: &Plane) -> Outcome<Panel> {
-    let mut panel = before("Curvature: doubled, and kept while the second derivative slides", curve)?;
+    let mut panel =
+        before("Curvature: doubled, turned round, and kept while the second derivative slides", curve)?;
     let handle = CurvatureHandle::prepare(curve, &X)?;
-    for (factor, color) in [(2.5, Color::BLUE), (-1.5, Color::ORANGE)] {
+    for (factor, color) in [(2.0, Color::BLUE), (-1.0, Color::ORANGE)] {
         let mut bent = curve.clone();
         handle.scale(&mut bent, &factor)?;
         panel = after(panel, &bent, X, color, &format!("κ times {factor}"))?;
     }
     let mut slid = curve.clone();
-    handle.slide(&mut slid, &20.0)?;
+    handle.slide(&mut slid, &6.0)?;
     println!("curvature {:.6} after sliding", slid.curvature_at(&X)?);
     after(panel, &slid, X, Color::VERMILLION, "slid, κ kept")
 }

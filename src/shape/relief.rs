@@ -3,10 +3,11 @@
 use crate::error::shape::ShapeError;
 use crate::error::{Error, Result};
 use crate::scalar::Scalar;
-use crate::shape::constraints::{Constrained, Constraints};
+use crate::shape::constraints::{Constrained, Constraints, Wanted};
 use crate::shape::controlled::Controlled;
 use crate::space::SplineSpace;
 use std::cmp::Ordering;
+use std::collections::BTreeSet;
 
 /// How a shape gets more control points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -21,8 +22,8 @@ impl<T: Scalar, S: Controlled<T>> Constraints<'_, T, S> {
     /// The shape, with as many more control points as it takes to meet these constraints, and the constraints prepared for
     /// it. The shape is the same, only finer or of higher degree [NURBS, section 11.5.1].
     ///
-    /// Knots come, one at a time, into the longest stretch without one between the places of constraints that clash, or
-    /// between a single place and the farther end of its span; for surfaces in both directions.
+    /// Knots come, one at a time, into the middle of the span that holds most of the places of constraints that clash and of
+    /// those that share control points with them; for surfaces in both directions.
     ///
     /// # Errors
     /// [`ShapeError::NotCarried`] with rows, held control points or weights, which mean nothing on another shape; those of
@@ -66,8 +67,7 @@ impl<T: Scalar, S: Controlled<T>> Constraints<'_, T, S> {
                 }
                 Err(other) => return Err(other),
             };
-            let places = clashing.iter().filter_map(|i| self.wanted[*i].derivative.as_ref());
-            let places: Vec<&S::Parameter> = places.map(|(at, _)| at).collect();
+            let places = wanted.beside(&clashing);
             shape = match relief {
                 Relief::Knots => with_room(&shape, &places)?,
                 Relief::Degree => {
@@ -79,8 +79,21 @@ impl<T: Scalar, S: Controlled<T>> Constraints<'_, T, S> {
     }
 }
 
+impl<T: Scalar, S: Controlled<T>> Constraints<'_, T, S> {
+    /// The places of some constraints, and of all that have control points in common with them.
+    fn beside(&self, clashing: &[usize]) -> Vec<S::Parameter> {
+        let rows = clashing.iter().map(|i| &self.wanted[*i].row);
+        let shared: BTreeSet<usize> = rows.flat_map(|row| row.terms().iter().map(|(i, _)| *i)).collect();
+        let beside = |(i, wanted): &(usize, &Wanted<T, S>)| {
+            clashing.contains(i) || wanted.row.terms().iter().any(|(i, _)| shared.contains(i))
+        };
+        let near = self.wanted.iter().enumerate().filter(beside);
+        near.filter_map(|(_, wanted)| wanted.derivative.as_ref().map(|(at, _)| at.clone())).collect()
+    }
+}
+
 /// The shape with a knot in each direction between some places.
-fn with_room<T: Scalar, S: Controlled<T>>(shape: &S, places: &[&S::Parameter]) -> Result<S> {
+fn with_room<T: Scalar, S: Controlled<T>>(shape: &S, places: &[S::Parameter]) -> Result<S> {
     S::DIRECTIONS.iter().try_fold(shape.clone(), |shape, direction| {
         let along = places.iter().map(|at| S::coordinate(at, *direction).clone());
         let knot = room(shape.space_along(*direction), along.collect())?;
@@ -88,30 +101,34 @@ fn with_room<T: Scalar, S: Controlled<T>>(shape: &S, places: &[&S::Parameter]) -
     })
 }
 
-/// The middle of the longest stretch without a knot between the first and the last of some places, or around a single one.
+/// The middle of the span that holds most of some places, of several the longest; or, where all of them are in one half, a
+/// value between them.
 fn room<T: Scalar>(space: &SplineSpace<T>, mut places: Vec<T>) -> Result<T> {
-    let order = |x: &T, y: &T| x.partial_cmp(y).unwrap_or(Ordering::Equal);
-    places.sort_by(order);
+    places.sort_by(|x, y| x.partial_cmp(y).unwrap_or(Ordering::Equal));
     places.dedup();
-    if let [x] = &places[..] {
-        let k = space.locate(x)?;
+    let held = |k: usize| {
         let (start, end) = (&space.knots()[k], &space.knots()[k + 1]);
-        let farther = if x.clone() - start < end.clone() - x { end } else { start };
-        places.push(farther.clone());
-        places.sort_by(order);
-    }
-    let mut ends = places.clone();
-    if let [first, .., last] = &places[..] {
-        ends.extend(space.breaks().into_iter().map(|(t, _)| t).filter(|t| first < t && t < last));
-    }
-    ends.sort_by(order);
-    ends.dedup();
-    let length = |gap: &[T]| gap[1].clone() - &gap[0];
-    let longest = ends.windows(2).reduce(|best, gap| if length(best) < length(gap) { gap } else { best });
-    let gap = longest.ok_or(Error::TooFewPoints { expected: 2, found: ends.len() })?;
-    let middle = gap[0].clone() + length(gap) / T::int(2);
-    match gap[0] < middle && middle < gap[1] {
-        true => Ok(middle),
-        false => Err(Error::SpanOutOfRange { index: space.locate(&gap[0])? }),
+        let inside = places.partition_point(|x| x < start)..places.partition_point(|x| x <= end);
+        (inside.len(), end.clone() - start, k, inside)
+    };
+    let spans = places.iter().flat_map(|x| [space.locate(x), space.locate_left(x)]);
+    let spans = spans.collect::<Result<BTreeSet<usize>>>()?;
+    let fuller = |best: (usize, T, usize, _), other: (usize, T, usize, _)| {
+        if (best.0, &best.1) < (other.0, &other.1) { other } else { best }
+    };
+    let fullest = spans.into_iter().map(held).reduce(fuller);
+    let (_, length, k, inside) = fullest.ok_or(Error::TooFewPoints { expected: 1, found: 0 })?;
+    let (start, end) = (&space.knots()[k], &space.knots()[k + 1]);
+    let middle = start.clone() + length / T::int(2);
+    let inside = &places[inside];
+    let knot = match inside {
+        [first, .., last] if *last <= middle || middle <= *first => {
+            first.clone() + (last.clone() - first) / T::int(2)
+        }
+        _ => middle,
+    };
+    match *start < knot && knot < *end {
+        true => Ok(knot),
+        false => Err(Error::SpanOutOfRange { index: k }),
     }
 }
