@@ -64,11 +64,11 @@ fn on_curve<T: Scalar>(group: &mut Group<'_>, numbers: &Numbers<T>, n: usize) ->
     group.bench_function(name("copy"), |b| b.iter(|| black_box(&curve).clone()));
     let mut shape = curve.clone();
     group.bench_function(name("nearest control point, found and moved"), |b| {
-        b.iter(|| Drag::by_nearest(black_box(&shape), &x)?.apply(&mut shape, &by[..1]))
+        b.iter(|| Drag::by_nearest(black_box(&shape), &x)?.apply(&mut shape, &by[..1]));
     });
-    let mut shape = rational.clone();
+    let mut shape = rational;
     group.bench_function(name("nearest control point, rational"), |b| {
-        b.iter(|| Drag::by_nearest(black_box(&shape), &x)?.apply(&mut shape, &by[..1]))
+        b.iter(|| Drag::by_nearest(black_box(&shape), &x)?.apply(&mut shape, &by[..1]));
     });
     let mut shape = curve.clone();
     let drag = Drag::by_nearest(&curve, &x)?;
@@ -80,12 +80,12 @@ fn on_curve<T: Scalar>(group: &mut Group<'_>, numbers: &Numbers<T>, n: usize) ->
     let back = [SVector::zeros(), SVector::zeros(), -up];
     let mut shape = curve.clone();
     group.bench_function(name("three constraints, prepared and dragged"), |b| {
-        b.iter(|| three(black_box(&shape))?.matrix().applied(&shape, &changes).map(|_| ()))
+        b.iter(|| three(black_box(&shape))?.matrix().applied(&shape, &changes).map(|_| ()));
     });
     group.bench_function(name("three constraints, prepared"), |b| b.iter(|| three(black_box(&curve))));
     let held = three(&curve)?;
     group.bench_function(name("three constraints, two drags"), |b| {
-        b.iter(|| held.drag(&mut shape, &changes).and_then(|()| held.drag(&mut shape, &back)))
+        b.iter(|| held.drag(&mut shape, &changes).and_then(|()| held.drag(&mut shape, &back)));
     });
     if n >= 1000 {
         let mut wanted = Constraints::on(&curve);
@@ -98,7 +98,7 @@ fn on_curve<T: Scalar>(group: &mut Group<'_>, numbers: &Numbers<T>, n: usize) ->
             crowded = crowded.point(&place(numbers, i))?;
         }
         group.bench_function(name("100 constraints side by side, prepared"), |b| {
-            b.iter(|| black_box(&crowded).prepare())
+            b.iter(|| black_box(&crowded).prepare());
         });
     }
     Ok(())
@@ -112,10 +112,10 @@ fn on_surface<T: Scalar>(group: &mut Group<'_>, numbers: &Numbers<T>, n: usize) 
     let name = |what: &str| format!("{what}/{} {n} x {n}", numbers.name);
 
     group.bench_function(name("copy"), |b| b.iter(|| black_box(&surface).clone()));
-    let at = (middle.clone(), middle.clone());
+    let at = [(); 2].map(|()| middle.clone()).into();
     let mut shape = surface.clone();
     group.bench_function(name("nearest control point, found and moved"), |b| {
-        b.iter(|| Drag::by_nearest(black_box(&shape), &at)?.apply(&mut shape, &by[..1]))
+        b.iter(|| Drag::by_nearest(black_box(&shape), &at)?.apply(&mut shape, &by[..1]));
     });
     // Ten places in a row, a span apart.
     let ten = |surface| {

@@ -77,7 +77,9 @@ const CURVES: [Operation; 17] = [
         close([Point::x() * (found / knot(n - 3)), Point::x()], cost)
     }),
     ("to rationals", |n| {
-        let at = |exact: &Curve<Q, 3>, x: &f64| Ok(exact.at(&Q::try_from(*x)?)?.map(|q| q.to_f64()));
+        let at = |exact: &Curve<Q, 3>, x: &f64| {
+            Ok::<_, symspline::Error>(exact.at(&Q::try_from(*x)?)?.map(|q| q.to_f64()))
+        };
         on(a_curve(n)?, Curve::to_exact, |c, exact, x| Ok([c.at(x)?, at(exact, x)?]))
     }),
 ];

@@ -111,7 +111,7 @@ fn on_a_leg(curve: &Plane) -> Outcome<Panel> {
     let leg = LegPoint::new(curve, Direction::U, 4, 0.5)?;
     let (finer, k) = leg.inserted(curve)?;
     let picked = finer.coeffs()[k];
-    let mut moved = finer.clone();
+    let mut moved = finer;
     moved.replace_coeffs(vec![(k, picked + vector![0.0, 0.15])])?;
     let panel = before("The middle of a leg made a control point", curve)?;
     let panel = polygon(panel, &moved, Color::VERMILLION)?;

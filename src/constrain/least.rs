@@ -279,9 +279,9 @@ mod tests {
             let entry = |i: usize, j: usize| if i.max(j) < m { f(i, j) } else { Q::int(0) };
             let inner: [[Q; 3]; 3] = std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j)));
             let (cofactors, determinant) = adjugate(&inner, m);
-            for i in 0..m {
+            for (i, row) in inner.iter().enumerate().take(m) {
                 for j in 0..m {
-                    let sum = (0..m).fold(Q::int(0), |sum, k| sum + inner[i][k].clone() * &cofactors[k][j]);
+                    let sum = Q::dot(row.iter().zip(cofactors.iter().map(|row| &row[j])));
                     prop_assert_eq!(sum, if i == j { determinant.clone() } else { Q::int(0) });
                 }
             }

@@ -32,6 +32,8 @@ pub mod quasi;
 pub mod project;
 pub mod adapt;
 pub mod unblend;
+pub(crate) mod zone;
+pub mod trial;
 pub mod removal;
 pub mod tight;
 pub mod remove;

@@ -13,8 +13,9 @@
 use crate::coeff::Coeff;
 use crate::error::Result;
 use crate::knots::KnotVector;
-use crate::ops::bound::{epsilon, finite, largest, size, sum_above};
-use crate::ops::unblend::{Parts, lack, unblend, unblend_best};
+use crate::ops::bound::{finite, sum_above};
+use crate::ops::trial::{Change, Choice, Keep, Trial};
+use crate::ops::zone::Zone;
 use crate::scalar::{Scalar, larger_size};
 use crate::space::SplineSpace;
 use crate::spline::Spline;
@@ -29,15 +30,6 @@ pub(crate) enum Limit<T> {
     Within(T),
     /// All.
     Forced,
-}
-
-/// Which side of a knot keeps its coefficients where both cannot.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Keep {
-    /// The left one.
-    Left,
-    /// The right one.
-    Right,
 }
 
 /// A spline that loses knots from left to right.
@@ -58,26 +50,6 @@ pub(crate) struct Removal<T, C> {
     trial: Trial<T, C>,
 }
 
-/// The equations of one knot, from the coefficient before the first that it blends to the one after the last.
-struct Trial<T, C> {
-    blends: Vec<Parts<T>>,
-    /// The coefficients as they are, and solved.
-    before: Vec<C>,
-    after: Vec<C>,
-}
-
-/// What a removal does: the equation left out, counted from the first index, and the change.
-struct Change<T> {
-    first: isize,
-    dropped: usize,
-    /// The bound of what the dropped equation lacks, on the support of its basis function.
-    main: T,
-    /// The bound of what the others lack by rounding.
-    rest: T,
-    /// Whether nothing changes.
-    none: bool,
-}
-
 impl<T: Scalar, C: Coeff<T>> Removal<T, C> {
     pub(crate) fn new(f: &Spline<T, C>) -> Self {
         let (space, p) = (f.space(), f.degree());
@@ -88,9 +60,8 @@ impl<T: Scalar, C: Coeff<T>> Removal<T, C> {
             ring = Some((space.domain().1.clone(), space.length()));
         }
         let (bounds, tried) = (vec![T::zero(); knots.len()], vec![false; knots.len()]);
-        let trial = Trial { blends: Vec::new(), before: Vec::new(), after: Vec::new() };
         let head = if ring.is_some() { 0 } else { p + 1 };
-        Self { degree: p, ring, knots, coeffs, bounds, tried, head, gap: 0, trial }
+        Self { degree: p, ring, knots, coeffs, bounds, tried, head, gap: 0, trial: Trial::empty() }
     }
 
     /// The number of knots, of a ring in one period.
@@ -150,8 +121,15 @@ impl<T: Scalar, C: Coeff<T>> Removal<T, C> {
         self.tried[self.head - 1]
     }
 
-    /// Removes up to `times` of the `copies` copies of the knot before the gap; returns how many it removed.
-    pub(crate) fn remove(&mut self, copies: usize, times: usize, limit: &Limit<T>) -> usize {
+    /// Removes up to `times` of the `copies` copies of the knot before the gap; returns how many it removed. What changes
+    /// is in `zone`.
+    pub(crate) fn remove(
+        &mut self,
+        copies: usize,
+        times: usize,
+        limit: &Limit<T>,
+        zone: Option<&Zone<'_, T, C>>,
+    ) -> usize {
         // The seam marks the ends of the domain.
         let seam = self.ring.is_some() && self.head == copies;
         let most = times.min(if seam { copies - 1 } else { copies });
@@ -159,7 +137,19 @@ impl<T: Scalar, C: Coeff<T>> Removal<T, C> {
             if this.is_tight() {
                 return false;
             }
-            let mut change = this.try_last(copies - gone, None);
+            let choice = zone.map_or(Choice::Best, |zone| Choice::Among(this.local(copies - gone, zone)));
+            // Where no equation is left to the zone, all must hold.
+            let (choice, all) = match choice {
+                Choice::Among(equations) if equations.is_empty() => (Choice::Best, true),
+                choice => (choice, false),
+            };
+            if all && !T::EXACT {
+                return false;
+            }
+            let mut change = this.try_last(copies - gone, &choice);
+            if (all && !change.none) || zone.is_some_and(|zone| !this.trial.is_within(&change, zone)) {
+                return false;
+            }
             if matches!(limit, Limit::Within(tolerance) if change.main > *tolerance) {
                 return false;
             }
@@ -180,7 +170,7 @@ impl<T: Scalar, C: Coeff<T>> Removal<T, C> {
     /// Removes one of the `copies` copies of the knot before the gap in any case, keeping one side as it is; returns the
     /// interval where the spline changes.
     pub(crate) fn drop_one(&mut self, copies: usize, keep: Keep) -> (T, T) {
-        let mut change = self.try_last(copies, Some(keep));
+        let mut change = self.try_last(copies, &Choice::Side(keep));
         self.trial.add_rounding(&mut change);
         let i = change.first + change.dropped as isize;
         let changed = (self.knot(i), self.knot(i + self.degree as isize + 1));
@@ -188,14 +178,24 @@ impl<T: Scalar, C: Coeff<T>> Removal<T, C> {
         changed
     }
 
+    /// The equations of the last of `copies` copies of the knot before the gap that may be left out: those of basis
+    /// functions with supports in `zone`.
+    fn local(&self, copies: usize, zone: &Zone<'_, T, C>) -> Vec<usize> {
+        let (p, first) = (self.degree as isize, self.head as isize - self.degree as isize - 2);
+        let period = self.ring.as_ref().map(|(_, period)| period);
+        let all = if copies > self.degree { 0..2 } else { 1..self.degree + 2 - copies };
+        let is_local = |k: &usize| {
+            let i = first + *k as isize;
+            zone.holds((&self.knot(i), &self.knot(i + p + 1)), period)
+        };
+        all.filter(is_local).collect()
+    }
+
     /// Sets up and solves the equations of the last of `copies` copies of the knot before the gap.
-    fn try_last(&mut self, copies: usize, keep: Option<Keep>) -> Change<T> {
+    fn try_last(&mut self, copies: usize, choice: &Choice) -> Change<T> {
         let (p, r, s) = (self.degree as isize, self.head as isize - 1, copies as isize);
         let first = r - p - 1;
-        let mut trial = std::mem::replace(
-            &mut self.trial,
-            Trial { blends: Vec::new(), before: Vec::new(), after: Vec::new() },
-        );
+        let mut trial = std::mem::replace(&mut self.trial, Trial::empty());
         let u = self.knots[self.head - 1].clone();
         trial.blends.clear();
         trial.blends.push((T::one(), T::zero()));
@@ -219,15 +219,7 @@ impl<T: Scalar, C: Coeff<T>> Removal<T, C> {
             Err(_) => trial.before.extend((first..=r - s + 1).map(|i| self.coeffs[self.place(i)].clone())),
         }
         trial.after.clone_from(&trial.before);
-        let last = trial.blends.len() - 1;
-        let dropped = match keep {
-            None => unblend_best(&trial.blends, &mut trial.after),
-            Some(Keep::Left) => last.div_ceil(2),
-            Some(Keep::Right) => last / 2,
-        };
-        if keep.is_some() {
-            unblend(&trial.blends, dropped, &mut trial.after);
-        }
+        let dropped = trial.solve(choice);
         let change = trial.change(first, dropped);
         self.trial = trial;
         change
@@ -324,42 +316,6 @@ impl<T: Scalar, C: Coeff<T>> Removal<T, C> {
             }
         };
         Ok((Spline::new(space, self.coeffs)?, bound))
-    }
-}
-
-impl<T: Scalar, C: Coeff<T>> Trial<T, C> {
-    fn lack(&self, dropped: usize, i: usize) -> C {
-        lack(&self.blends, dropped, i, &self.before[i], &self.after)
-    }
-
-    /// What changes if equation `dropped` is left out, but for rounding.
-    fn change(&self, first: isize, dropped: usize) -> Change<T> {
-        let lack = self.lack(dropped, dropped);
-        let mut none = lack.vanishes();
-        let mut main = if none { T::zero() } else { size(&lack) };
-        if self.blends.len() == 2 {
-            // A jump is shared out.
-            let other = self.lack(dropped, 1 - dropped);
-            none &= other.vanishes();
-            main = larger_size(main, size(&other));
-        }
-        Change { first, dropped, main, rest: T::zero(), none }
-    }
-
-    /// Adds what the other equations lack, checked with their own rounding.
-    fn add_rounding(&mut self, change: &mut Change<T>) {
-        if T::EXACT {
-            return;
-        }
-        let (dropped, n) = (change.dropped, self.blends.len() - 1);
-        for i in (1..n).filter(|&i| i != dropped) {
-            self.before[i] = self.lack(dropped, i);
-            change.none &= self.before[i].vanishes();
-        }
-        // What the dropped equation lacks counts apart, and its coefficient does no harm in the other list.
-        self.before[dropped] = self.before[dropped].zero_like();
-        let (lacks, solved) = (largest(&self.before[1..n.max(1)]), largest(&self.after));
-        change.rest = lacks + solved * T::int(8) * epsilon::<T>();
     }
 }
 

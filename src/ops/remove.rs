@@ -7,8 +7,10 @@
 use crate::coeff::Coeff;
 use crate::error::{Error, Result};
 use crate::ops::bound::{Approximation, check_tolerance};
-use crate::ops::removal::{Keep, Limit, Removal};
+use crate::ops::removal::{Limit, Removal};
 use crate::ops::tight::thin_tight;
+use crate::ops::trial::Keep;
+use crate::ops::zone::Zone;
 use crate::scalar::{Scalar, larger};
 use crate::spline::Spline;
 
@@ -47,7 +49,7 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
         let mut removal = Removal::new(self);
         let copies = seek(&mut removal, knot)?;
         let limit = Limit::Within(tolerance.clone());
-        let gone = removal.remove(copies, times, &limit);
+        let gone = removal.remove(copies, times, &limit, None);
         let tight = removal.is_tight();
         let (spline, bound) = removal.finish()?;
         if tight && gone < times.min(copies) {
@@ -82,6 +84,37 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     pub fn without_spare_knots(&self, tolerance: &T) -> Result<Approximation<Self, T>> {
         check_tolerance(tolerance)?;
         self.thinned(&Limit::Within(tolerance.clone()), |_, copies| copies)
+    }
+
+    /// As [`without_spare_knots`](Self::without_spare_knots), but only with knots from `start` to `end`, and with the spline
+    /// as it is outside.
+    ///
+    /// A knot goes if the removal changes the spline by a multiple of a basis function with its support between `start` and
+    /// `end` [NURBS, (11.41)], or, over an exact field, not at all. Outside the interval nothing changes, over inexact
+    /// fields but for rounding, which is in the bound. Rings of fewer than `p + 2` coefficients keep their knots.
+    ///
+    /// # Errors
+    /// [`Error::BadTolerance`]; [`Error::OutsideDomain`]; [`Error::EmptyDomain`] unless `start < end`.
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::{Function, Q, Scalar, SplineSpace};
+    /// let space = SplineSpace::clamped(1, (0..6).map(Q::int))?;
+    /// let f = Function::new(space, [0, 3, 0, 4, 0, 5].map(Q::int).to_vec())?;
+    /// // The knots 2 and 3 go, since the function may change between 1 and 4 alone.
+    /// let thin = f.without_spare_knots_on(&Q::int(1), &Q::int(4), &Q::int(9))?;
+    /// assert_eq!(thin.spline.coeffs(), [0, 3, 0, 5].map(Q::int));
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    #[doc(alias = "knot removal")]
+    pub fn without_spare_knots_on(
+        &self,
+        start: &T,
+        end: &T,
+        tolerance: &T,
+    ) -> Result<Approximation<Self, T>> {
+        let (start, end) = (start.clone(), end.clone());
+        self.thinned_in(tolerance, &Zone { start, end, beyond: &|_| T::zero() })
     }
 
     /// The spline without one copy of knot `index`, whatever that changes, and with the change in the narrowest interval.
@@ -130,6 +163,33 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
         limit: &Limit<T>,
         times: impl Fn(&T, usize) -> usize,
     ) -> Result<Approximation<Self, T>> {
+        let removal = self.thinning(limit, &times, None);
+        let tight = removal.is_tight();
+        let (spline, bound) = removal.finish()?;
+        if tight { thin_tight(spline, bound, times, limit) } else { Ok(Approximation { spline, bound }) }
+    }
+
+    /// As [`thinned`](Self::thinned), with changes in `zone` alone. Small rings keep their knots.
+    pub(crate) fn thinned_in(&self, tolerance: &T, zone: &Zone<'_, T, C>) -> Result<Approximation<Self, T>> {
+        check_tolerance(tolerance)?;
+        if zone.start >= zone.end {
+            return Err(Error::EmptyDomain { start: zone.start.to_string(), end: zone.end.to_string() });
+        }
+        self.space().locate(&zone.start)?;
+        self.space().locate_left(&zone.end)?;
+        let period = self.space().is_periodic().then(|| self.space().length());
+        let times = |t: &T, copies: usize| if zone.holds((t, t), period.as_ref()) { copies } else { 0 };
+        let (spline, bound) = self.thinning(&Limit::Within(tolerance.clone()), times, Some(zone)).finish()?;
+        Ok(Approximation { spline, bound })
+    }
+
+    /// The removal behind [`thinned`](Self::thinned).
+    fn thinning(
+        &self,
+        limit: &Limit<T>,
+        times: impl Fn(&T, usize) -> usize,
+        zone: Option<&Zone<'_, T, C>>,
+    ) -> Removal<T, C> {
         let mut removal = Removal::new(self);
         // A knot after one that went waits for the next pass, so that spans grow evenly.
         let mut waiting = true;
@@ -142,13 +202,11 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
                 } else if std::mem::replace(&mut wait, false) {
                     waiting = true;
                 } else {
-                    wait = removal.remove(copies, times(&knot, copies), limit) > 0;
+                    wait = removal.remove(copies, times(&knot, copies), limit, zone) > 0;
                 }
             }
         }
-        let tight = removal.is_tight();
-        let (spline, bound) = removal.finish()?;
-        if tight { thin_tight(spline, bound, times, limit) } else { Ok(Approximation { spline, bound }) }
+        removal
     }
 }
 

@@ -20,7 +20,7 @@ use crate::scalar::Scalar;
 pub(crate) type Parts<T> = (T, T);
 
 /// The equation with the smallest error when it is left out.
-fn best_to_drop<T: Scalar>(blends: &[Parts<T>]) -> usize {
+pub(crate) fn best_to_drop<T: Scalar>(blends: &[Parts<T>]) -> usize {
     let n = blends.len() - 1;
     (1..n).find(|&k| blends[k].0 <= blends[k + 1].1).unwrap_or(1)
 }

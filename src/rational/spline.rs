@@ -127,7 +127,7 @@ impl<D: Domain<T>, T: Scalar, C: Coeff<T>> Rational<D, T, C> {
         &self.lifted
     }
 
-    /// Puts weighted points in the place of others with the same weights, so that the denominator stays.
+    /// Puts weighted points in the place of others. That the denominator stays positive is for the caller to see to.
     pub(crate) fn replace_points(&mut self, new: Vec<(usize, Weighted<T, C>)>) -> Result<()> {
         D::replace_coeffs(&mut self.lifted, new)
     }

@@ -3,7 +3,8 @@
 
 use crate::error::shape::ShapeError;
 use crate::error::{Error, Result};
-use crate::limits::check_dim;
+use crate::limits::{MAX_DIM, check_dim};
+use crate::ops::trial::Keep;
 use crate::scalar::Scalar;
 use crate::shape::controlled::Controlled;
 use crate::space::SplineSpace;
@@ -105,7 +106,12 @@ impl<T: Scalar> Refinement<T> {
         };
         match self {
             Self::Count(count) => check_dim(count.saturating_add(inner))?,
-            Self::Spacing(spacing) if *spacing > T::zero() && spacing.is_finite() => {}
+            Self::Spacing(spacing) if *spacing > T::zero() && spacing.is_finite() => {
+                // There will be at least so many spans.
+                if spacing.clone() * T::int(MAX_DIM as i64) < end.clone() - start {
+                    return check_dim(usize::MAX).map(|()| Vec::new());
+                }
+            }
             Self::Spacing(spacing) => return Err(Error::BadTolerance { tolerance: spacing.to_string() }),
         }
         let mut added = 0;
@@ -134,7 +140,7 @@ impl<T: Scalar> Refinement<T> {
 }
 
 impl<T: Scalar> SplineSpace<T> {
-    /// The coefficients without influence outside `[start, end]`, which are knots: `s ..= e - p - 1`, with `t_s` the first
+    /// The coefficients whose basis functions have their supports in `[start, end]`, which are knots: `s ..= e - p - 1`, with `t_s` the first
     /// copy of `start` and `t_e` the last one of `end` [NURBS, (11.40)].
     ///
     /// In a periodic space they are unrolled indices; [`slot`](Self::slot) gives their places.
@@ -163,5 +169,51 @@ impl<T: Scalar> SplineSpace<T> {
         let unrolled = t.len() - self.degree() - 1;
         let end = past.saturating_sub(self.degree() + 1).min(unrolled);
         Ok(first..end.max(first))
+    }
+
+    /// The knots inside the domain of which one copy can be removed so that the change stays in `[start, end]`, which are
+    /// knots: a range of indices [NURBS, (11.41)].
+    ///
+    /// Removing a copy leaves out one of the equations of its insertion, the one in the middle, and of two in the middle
+    /// the one that leaves the side `keep` alone, as [`Spline::without_knot`](crate::Spline::without_knot) does. The change
+    /// is a multiple of one basis function `N_m`, and `m` must be one of the [`local_coeffs`](Self::local_coeffs). With `t_r`
+    /// the last of the `s` copies of the knot
+    ///
+    /// ```text
+    /// m = r - p - 1 + ⌈(p - s + 2) / 2⌉ keeping the left, ⌊ ⌋ keeping the right
+    /// ```
+    /// which for simple knots gives the ranges of the book. The indices are those of the unrolled knots, and all copies
+    /// of a knot are in the range. It holds for one removal: afterwards there are fewer knots.
+    ///
+    /// # Errors
+    /// As [`local_coeffs`](Self::local_coeffs).
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::{Keep, SplineSpace};
+    /// let space = SplineSpace::clamped(2, (0..9).map(f64::from))?;
+    /// assert_eq!(space.removable_knots(&1.0, &7.0, Keep::Left)?, 4..8);
+    /// assert_eq!(space.removable_knots(&1.0, &7.0, Keep::Right)?, 5..9);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    pub fn removable_knots(&self, start: &T, end: &T, keep: Keep) -> Result<Range<usize>> {
+        let local = self.local_coeffs(start, end)?;
+        let (t, p, (a, b)) = (self.knots(), self.degree(), self.domain());
+        let mut range: Option<Range<usize>> = None;
+        let mut first = t.partition_point(|k| k <= a);
+        while t[first] < *b {
+            let copies = t[first..].iter().take_while(|k| **k == t[first]).count();
+            // The equations blend the coefficients from `first + copies - 1 - p` to `first - 1`.
+            let equations = p + 1 - copies;
+            let dropped = match keep {
+                Keep::Left => (equations + 1).div_ceil(2),
+                Keep::Right => equations.div_ceil(2),
+            };
+            if local.contains(&(first + copies + dropped - p - 2)) {
+                range = Some(range.map_or(first, |range| range.start)..first + copies);
+            }
+            first += copies;
+        }
+        Ok(range.unwrap_or(local.start..local.start))
     }
 }

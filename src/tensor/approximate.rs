@@ -5,8 +5,9 @@
 
 use crate::coeff::Coeff;
 use crate::error::Result;
-use crate::ops::bound::{Approximation, check_tolerance, left_of, sum_above};
+use crate::ops::bound::{Approximation, check_tolerance, largest, left_of, sum_above};
 use crate::ops::project::Contact;
+use crate::ops::zone::Zone;
 use crate::row::Row;
 use crate::scalar::Scalar;
 use crate::space::SplineSpace;
@@ -75,6 +76,66 @@ impl<T: Scalar, C: Coeff<T>> TensorSpline<T, C> {
             |rows| rows.projected(u, Contact::FREE),
             |rows, _| rows.projected(v, Contact::FREE),
         )
+    }
+
+    /// The surface without the knots in a rectangle that it can do without, and as it is outside the rectangle between the
+    /// corners `from` and `to`, as [`Spline::without_spare_knots_on`].
+    ///
+    /// A knot of one direction is one of the whole surface: it goes if nothing changes in the columns that reach beyond the
+    /// rectangle, over inexact fields but for rounding. Half of the tolerance is for `u`, and what that leaves for `v`.
+    ///
+    /// # Errors
+    /// As [`Spline::without_spare_knots_on`].
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::{Direction::U, Q, Scalar, SplineSpace, TensorSpline};
+    /// let line = SplineSpace::clamped(1, (0..4).map(Q::int))?;
+    /// let grid = TensorSpline::new(line.clone(), line, (0..16).map(|i| Q::int(i * i % 5)).collect())?;
+    /// let fine = grid.inserted(U, &[Q::frac(3, 2)])?;
+    /// let (from, to) = ((Q::int(1), Q::int(0)), (Q::int(2), Q::int(1)));
+    /// assert_eq!(fine.without_spare_knots_on(&from, &to, &Q::int(0))?.spline, grid);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    #[doc(alias = "knot removal")]
+    pub fn without_spare_knots_on(
+        &self,
+        from: &(T, T),
+        to: &(T, T),
+        tolerance: &T,
+    ) -> Result<Approximation<Self, T>> {
+        check_tolerance(tolerance)?;
+        let half = tolerance.clone() * T::frac(1, 2);
+        let first = self.thinned_along(U, (&from.0, &to.0), (&from.1, &to.1), &half)?;
+        let rest = left_of(tolerance, &first.bound);
+        let second = first.spline.thinned_along(V, (&from.1, &to.1), (&from.0, &to.0), &rest)?;
+        let bound = sum_above(first.bound, &second.bound);
+        // Rounding up may not pass what is certain.
+        let bound = if bound < *tolerance { bound } else { tolerance.clone() };
+        Ok(Approximation { spline: second.spline, bound })
+    }
+
+    /// Without spare knots along `direction`, changed between `own` in it and between `other` in the other one.
+    fn thinned_along(
+        &self,
+        direction: Direction,
+        own: (&T, &T),
+        other: (&T, &T),
+        tolerance: &T,
+    ) -> Result<Approximation<Self, T>> {
+        let space = match direction {
+            U => self.v(),
+            V => self.u(),
+        };
+        let (t, p) = (space.knots(), space.degree());
+        let period = space.is_periodic().then(|| space.length());
+        let across = Zone::<T, C> { start: other.0.clone(), end: other.1.clone(), beyond: &|_| T::zero() };
+        let reaches_out: Vec<bool> =
+            (0..space.dim()).map(|j| !across.holds((&t[j], &t[j + p + 1]), period.as_ref())).collect();
+        let beyond =
+            |row: &Row<C>| largest(row.iter().zip(&reaches_out).filter(|(_, out)| **out).map(|(c, _)| c));
+        let zone = Zone { start: own.0.clone(), end: own.1.clone(), beyond: &beyond };
+        self.approximated_along(direction, |rows| rows.thinned_in(tolerance, &zone))
     }
 
     /// The same surface with the lowest degrees, and the fewest knots of those degrees, as [`Spline::simplified`].

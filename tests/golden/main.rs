@@ -19,9 +19,12 @@ mod surface;
 mod rational;
 mod shape_reposition;
 mod shape_constraints;
+mod shape_weights;
+mod shape_warps;
+mod shape_bends;
 
 /// The categories tested here, with their numbers of cases.
-const TESTED: [(&str, usize); 34] = [
+const TESTED: [(&str, usize); 51] = [
     ("basis", 22),
     ("curve_ders", 3),
     ("hodograph", 3),
@@ -56,6 +59,23 @@ const TESTED: [(&str, usize); 34] = [
     ("constraint_curve", 10),
     ("constraint_surface", 3),
     ("fowler", 6),
+    ("weight_one", 6),
+    ("weight_two", 3),
+    ("weight_one_distance", 2),
+    ("weight_surface", 1),
+    ("weight_derivatives", 2),
+    ("halfway_knot", 6),
+    ("local_range", 5),
+    ("warp_f", 8),
+    ("warp_f2", 8),
+    ("warp_curve", 1),
+    ("flatten_line", 4),
+    ("flatten_plane", 2),
+    ("bend_point", 12),
+    ("bend_circle", 3),
+    ("bend_rest", 2),
+    ("bend_rest3", 1),
+    ("bend_cylinder", 3),
 ];
 
 /// The file holds what its header promises, and nothing that is not tested.
@@ -71,5 +91,5 @@ fn every_case_is_counted() {
     assert_eq!(ids.len(), tested.iter().map(|(_, count)| count).sum::<usize>());
     ids.sort_unstable();
     ids.dedup();
-    assert_eq!(ids.len(), 190, "distinct cases");
+    assert_eq!(ids.len(), 259, "distinct cases");
 }

@@ -284,7 +284,7 @@ proptest! {
     ) {
         let x = x.get(&probes(c.space())).clone();
         let mean = SparseRow::from_functional(&c.space().moment(0)?, c.space().dim());
-        let wanted = Constraints::on(&c).row(mean.clone())?.coupled().along(&x, 0, &n)?.area();
+        let wanted = Constraints::on(&c).row(mean)?.coupled().along(&x, 0, &n)?.area();
         // A curve that may jump has no area of this kind.
         let Ok(wanted) = wanted else { return Ok(()) };
         let Ok(held) = wanted.prepare() else { return Ok(()) };
@@ -309,18 +309,18 @@ proptest! {
     fn curvature_handles_bend_and_slide(c in curve::<3>(ANY.of_degree(2, 3)), x in any::<Index>(), by in number()) {
         let x = x.get(&probes(c.space())).clone();
         let Ok(handle) = CurvatureHandle::prepare(&c, &x) else { return Ok(()) };
-        let bend = |c: &Curve<Q, 3>| -> Result<(SVector<Q, 3>, SVector<Q, 3>, SVector<Q, 3>), Error> {
+        let bend = |c: &Curve<Q, 3>| -> Result<[SVector<Q, 3>; 3], Error> {
             let [p, d, e] = &c.derivatives_at(&x, 2)?[..] else { unreachable!("three derivatives") };
             let cross = |i: usize, j: usize| d[i].clone() * &e[j] - d[j].clone() * &e[i];
-            Ok((p.clone(), d.clone(), vector![cross(1, 2), cross(2, 0), cross(0, 1)]))
+            Ok([p.clone(), d.clone(), vector![cross(1, 2), cross(2, 0), cross(0, 1)]])
         };
-        let (p, d, k) = bend(&c)?;
+        let [p, d, k] = bend(&c)?;
         let mut slid = c.clone();
         handle.slide(&mut slid, &by)?;
-        prop_assert_eq!(bend(&slid)?, (p.clone(), d.clone(), k.clone()));
-        let mut bent = c.clone();
+        prop_assert_eq!(bend(&slid)?, [p.clone(), d.clone(), k.clone()]);
+        let mut bent = c;
         match handle.scale(&mut bent, &by) {
-            Ok(()) => prop_assert_eq!(bend(&bent)?, (p, d, k.scaled(&by))),
+            Ok(()) => prop_assert_eq!(bend(&bent)?, [p, d, k.scaled(&by)]),
             Err(Error::Stationary { .. }) => prop_assert!(d.vanishes()),
             Err(other) => return Err(other.into()),
         }
@@ -384,7 +384,8 @@ where
 }
 
 fn cubic() -> Function<Q> {
-    Function::constant(SplineSpace::clamped(3, [0, 1, 2, 3].map(Q::int)).unwrap(), Q::int(0)).unwrap()
+    Function::constant(SplineSpace::clamped(3, [0, 1, 2, 3].map(Q::int)).expect("a space"), Q::int(0))
+        .expect("a number")
 }
 
 #[test]

@@ -176,7 +176,7 @@ proptest! {
         let (finer, k) = confined(&c, Direction::U, x, (start, end))?;
         prop_assert!(finer.same_function(&c)?);
         prop_assume!(finer.control_weight(k)? != Q::int(0));
-        let pulled = Drag::by_one(&finer, x, k)?.applied(&finer, &[by.clone()])?;
+        let pulled = Drag::by_one(&finer, x, k)?.applied(&finer, std::slice::from_ref(&by))?;
         prop_assert_eq!(pulled.at(x)?, c.at(x)?.plus_scaled(&Q::int(1), &by));
         let (a, b) = c.domain();
         for (from, to) in [(a, start), (end, b)] {
