@@ -4,6 +4,7 @@ mod miura;
 mod miura_local;
 mod moments;
 mod nurbs_book;
+mod nurbs_pulls;
 mod nurbs_weights;
 mod subdivision;
 mod vassilev;
