@@ -4,8 +4,8 @@
 
 mod support;
 
-use nalgebra::{SVector, vector};
-use support::{Outcome, Plane, Point, pair, target, write};
+use nalgebra::vector;
+use support::{Outcome, Plane, Point, pair, seen, shaded, target, write};
 use symspline::plot::{Color, Figure, Marker, Panel, Style, curve_path};
 use symspline::{
     Assigned, Bump, Gravity, Polygons, Refinement, Region, Reshaped, SplineSpace, Surface, UnitNormal, Warp,
@@ -157,31 +157,6 @@ fn sheet() -> Outcome<Surface<f64, 3>> {
     Ok(Surface::new(space.clone(), space, nodes.iter().flat_map(row).collect())?)
 }
 
-/// Space on paper.
-fn seen(p: SVector<f64, 3>) -> (f64, f64) {
-    (p[0] + 0.45 * p[1], 0.5 * p[1] + 0.9 * p[2])
-}
-
-/// A surface as quadrangles, the farther ones first, each the lighter the more it faces the light.
-fn drawn(mut panel: Panel, surface: &Surface<f64, 3>, count: usize) -> Outcome<Panel> {
-    let places: Vec<f64> = (0..=count).map(|i| i as f64 / count as f64).collect();
-    let points = surface.eval_grid(&places, &places)?;
-    let light = vector![0.5, -0.5, 0.8].normalize();
-    for j in (0..count).rev() {
-        for i in 0..count {
-            let corners =
-                [(0, 0), (1, 0), (1, 1), (0, 1), (0, 0)].map(|(k, l)| points[(i + k) * (count + 1) + j + l]);
-            let normal = (corners[2] - corners[0]).cross(&(corners[3] - corners[1]));
-            let shade = if normal.norm() > 0.0 { normal.normalize().dot(&light).abs() } else { 1.0 };
-            let tone = |dark: f64, bright: f64| (dark + (bright - dark) * shade) as u8;
-            let color = Color::new(tone(60.0, 225.0), tone(75.0, 235.0), tone(110.0, 245.0));
-            let line = Color::new(tone(40.0, 150.0), tone(50.0, 165.0), tone(80.0, 185.0));
-            panel = panel.polyline(corners.map(seen), Style::line(line).width(0.25).filled(color, 1.0));
-        }
-    }
-    Ok(panel)
-}
-
 /// The curve of a line in the parameter plane on the surface.
 fn traced(surface: &Surface<f64, 3>, corners: &[(f64, f64)]) -> symspline::Result<Vec<(f64, f64)>> {
     let between = |pair: &[(f64, f64)]| {
@@ -220,7 +195,7 @@ fn punches() -> Outcome<()> {
         bumped.removed.len(),
         bumped.bound
     );
-    let mut before = drawn(
+    let mut before = shaded(
         Panel::new().title("(a) The surface with two polygons").equal_axes().x_range(0.0, 1.5).height(270.0),
         &surface,
         30,
@@ -230,8 +205,8 @@ fn punches() -> Outcome<()> {
         before = before.polyline(traced(&surface, &polygon)?, Style::line(color).width(2.0));
     }
     let panel = |title: &str| Panel::new().title(title).equal_axes().x_range(0.0, 1.5).height(270.0);
-    let after = drawn(panel("(b) Punched along the normal, by the even-odd rule"), &punched.shape, 120)?;
-    let round = drawn(panel("(c) A bump over a rectangle, w = 6"), &bumped.shape, 50)?;
+    let after = shaded(panel("(b) Punched along the normal, by the even-odd rule"), &punched.shape, 120)?;
+    let round = shaded(panel("(c) A bump over a rectangle, w = 6"), &bumped.shape, 50)?;
     let figure =
         Figure::new(900.0).title("Region warps of a surface").panel(before).panel(after).panel(round);
     write(&figure, &target("shape_warps_regions"))
@@ -280,7 +255,7 @@ fn letters() -> Outcome<()> {
     };
     let warped = Warp::new(region, along).apply(&surface)?;
     println!("{} knots inserted, {} points moved", warped.inserted.len(), warped.moved);
-    let mut before = drawn(
+    let mut before = shaded(
         Panel::new()
             .title("(a) Five polylines in the parameter plane, on the surface")
             .equal_axes()
@@ -297,7 +272,7 @@ fn letters() -> Outcome<()> {
         .equal_axes()
         .x_range(0.0, 1.5)
         .height(290.0);
-    let after = drawn(after, &warped.shape, 150)?;
+    let after = shaded(after, &warped.shape, 150)?;
     let figure = Figure::new(900.0).title("A polyline warp").panel(before).panel(after);
     write(&figure, &target("shape_warps_letters"))
 }

@@ -5,7 +5,7 @@ use nalgebra::{SVector, vector};
 use std::error::Error;
 use std::path::{Path, PathBuf};
 use symspline::plot::{Color, Figure, Marker, Panel, Style, curve_path};
-use symspline::{Curve, SplineSpace};
+use symspline::{Curve, SplineSpace, Surface};
 
 pub type Plane = Curve<f64, 2>;
 pub type Point = SVector<f64, 2>;
@@ -116,4 +116,41 @@ pub fn before(title: &str, curve: &Plane) -> Outcome<Panel> {
 pub fn after(panel: Panel, curve: &Plane, at: f64, color: Color, name: &str) -> Outcome<Panel> {
     let panel = panel.path(curve_path(curve, 1e-4)?, Style::line(color).width(1.8)).label(name);
     Ok(panel.markers([pair(curve.at(&at)?)], Marker::Circle, Style::line(color)))
+}
+
+/// Space on paper.
+pub fn seen(p: SVector<f64, 3>) -> (f64, f64) {
+    (p[0] + 0.45 * p[1], 0.5 * p[1] + 0.9 * p[2])
+}
+
+/// A surface as quadrangles, the farther ones first, each the lighter the more it faces the light.
+pub fn shaded(mut panel: Panel, surface: &Surface<f64, 3>, count: usize) -> Outcome<Panel> {
+    let places: Vec<f64> = (0..=count).map(|i| i as f64 / count as f64).collect();
+    let points = surface.eval_grid(&places, &places)?;
+    let light = vector![0.5, -0.5, 0.8].normalize();
+    for j in (0..count).rev() {
+        for i in 0..count {
+            let corners =
+                [(0, 0), (1, 0), (1, 1), (0, 1), (0, 0)].map(|(k, l)| points[(i + k) * (count + 1) + j + l]);
+            let normal = (corners[2] - corners[0]).cross(&(corners[3] - corners[1]));
+            let shade = if normal.norm() > 0.0 { normal.normalize().dot(&light).abs() } else { 1.0 };
+            let tone = |dark: f64, bright: f64| (dark + (bright - dark) * shade) as u8;
+            let color = Color::new(tone(60.0, 225.0), tone(75.0, 235.0), tone(110.0, 245.0));
+            let line = Color::new(tone(40.0, 150.0), tone(50.0, 165.0), tone(80.0, 185.0));
+            panel = panel.polyline(corners.map(seen), Style::line(line).width(0.25).filled(color, 1.0));
+        }
+    }
+    Ok(panel)
+}
+
+/// The control net of a surface, marked.
+pub fn net(mut panel: Panel, surface: &Surface<f64, 3>, color: Color) -> Panel {
+    let columns = surface.transposed();
+    for (lines, marker) in [(surface, Marker::Circle), (&columns, Marker::Circle)] {
+        for row in lines.rows() {
+            panel =
+                panel.marked_polyline(row.iter().map(|p| seen(*p)), marker, Style::line(color).width(0.7));
+        }
+    }
+    panel
 }
