@@ -6,7 +6,7 @@ mod support;
 use nalgebra::{SVector, vector};
 use support::{Outcome, net, seen, shaded, target, write};
 use symspline::plot::{Color, Figure, Marker, Panel, Style};
-use symspline::{Constraints, Drag, SplineSpace, Surface};
+use symspline::{Constraints, Drag, Scalar, SplineSpace, Surface};
 
 type Sheet = Surface<f64, 3>;
 
@@ -26,7 +26,7 @@ fn sheet() -> Outcome<Sheet> {
 }
 
 fn panel(title: &str) -> Panel {
-    Panel::new().title(title).equal_axes().x_range(-0.05, 1.5).y_range(-0.15, 0.95).height(300.0)
+    Panel::new().title(title).equal_axes().x_range(-0.05, 1.5).y_range(-0.1, 1.1).height(310.0)
 }
 
 /// The surface, with its control net if asked for and a mark on a point.
