@@ -3,13 +3,14 @@
 use crate::coeff::Coeff;
 use crate::error::Result;
 use crate::ops::bound::Approximation;
-use crate::rational::domain::{Interval, Rectangle};
+use crate::rational::domain::Domain;
 use crate::rational::spline::Rational;
 use crate::scalar::Scalar;
 use crate::shape::controlled::Controlled;
 use crate::spline::Spline;
 use crate::tensor::along::Direction;
 use crate::tensor::spline::TensorSpline;
+use crate::weighted::Weighted;
 
 /// A [`Controlled`] shape that can be thinned out in a region.
 pub trait Workable<T: Scalar>: Controlled<T> {
@@ -49,22 +50,20 @@ impl<T: Scalar, C: Coeff<T>> Workable<T> for TensorSpline<T, C> {
     }
 }
 
-impl<T: Scalar, C: Coeff<T>> Workable<T> for Rational<Interval, T, C> {
-    fn place(coordinate: impl Fn(Direction) -> T) -> T {
-        coordinate(Direction::U)
+impl<D: Domain<T>, T: Scalar, C: Coeff<T>> Workable<T> for Rational<D, T, C>
+where
+    D::Spline<Weighted<T, C>>: Workable<T, Point = Weighted<T, C>>,
+{
+    fn place(coordinate: impl Fn(Direction) -> T) -> Self::Parameter {
+        D::Spline::<Weighted<T, C>>::place(coordinate)
     }
 
-    fn thinned(&self, from: &T, to: &T, tolerance: &T) -> Result<Approximation<Self, T>> {
-        self.approximated(tolerance, |lifted, tolerance| lifted.without_spare_knots_on(from, to, tolerance))
-    }
-}
-
-impl<T: Scalar, C: Coeff<T>> Workable<T> for Rational<Rectangle, T, C> {
-    fn place(coordinate: impl Fn(Direction) -> T) -> (T, T) {
-        (coordinate(Direction::U), coordinate(Direction::V))
-    }
-
-    fn thinned(&self, from: &(T, T), to: &(T, T), tolerance: &T) -> Result<Approximation<Self, T>> {
-        self.approximated(tolerance, |lifted, tolerance| lifted.without_spare_knots_on(from, to, tolerance))
+    fn thinned(
+        &self,
+        from: &Self::Parameter,
+        to: &Self::Parameter,
+        tolerance: &T,
+    ) -> Result<Approximation<Self, T>> {
+        self.approximated(tolerance, |lifted, tolerance| lifted.thinned(from, to, tolerance))
     }
 }

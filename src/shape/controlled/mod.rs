@@ -51,6 +51,12 @@ pub trait Controlled<T: Scalar>: Clone + Debug {
     /// The coordinate of a place along `direction`; of a curve the only one.
     fn coordinate(at: &Self::Parameter, direction: Direction) -> &T;
 
+    /// How many derivatives along `direction`; of a curve along `V` none.
+    fn order_along(order: Self::Order, direction: Direction) -> usize;
+
+    /// The derivative with so many along each direction.
+    fn order_of(along: impl Fn(Direction) -> usize) -> Self::Order;
+
     /// The place of a control point in the list.
     ///
     /// # Errors
@@ -68,6 +74,13 @@ pub trait Controlled<T: Scalar>: Clone + Debug {
     /// # Errors
     /// [`Error::IndexOutOfRange`].
     fn control_weight(&self, flat: usize) -> Result<T>;
+
+    /// Derivatives of the polynomial basis functions that may have influence at a place, zeros too, in one sequence for all
+    /// orders; in a small ring a control point may stand several times.
+    ///
+    /// # Errors
+    /// [`Error::OutsideDomain`], [`Error::DegreeTooHigh`].
+    fn reach(&self, at: &Self::Parameter, order: Self::Order) -> Result<Vec<(usize, T)>>;
 
     /// The derivatives of the basis functions, `R_i^(order)(at)`, as weights of the control points [NURBS, (11.66) and
     /// (11.83)].
@@ -122,34 +135,4 @@ pub trait Controlled<T: Scalar>: Clone + Debug {
 
 fn get<C>(coeffs: &[C], index: usize) -> Result<&C> {
     coeffs.get(index).ok_or(Error::IndexOutOfRange { index, length: coeffs.len() })
-}
-
-fn checked(index: usize, length: usize) -> Result<usize> {
-    if index < length { Ok(index) } else { Err(Error::IndexOutOfRange { index, length }) }
-}
-
-/// The place of control point `(i, j)` of a grid.
-fn in_grid<T: Scalar>(u: &SplineSpace<T>, v: &SplineSpace<T>, (i, j): (usize, usize)) -> Result<usize> {
-    Ok(checked(i, u.dim())? * v.dim() + checked(j, v.dim())?)
-}
-
-/// The basis functions of a curve that may have influence at `x`, with indices in its list.
-fn curve_terms<T: Scalar>(space: &SplineSpace<T>, x: &T, order: usize) -> Result<Vec<(usize, T)>> {
-    let row = space.basis_derivative(x, order)?;
-    let first = row.first();
-    Ok(row.into_weights().into_iter().enumerate().map(|(i, n)| (space.slot(first + i), n)).collect())
-}
-
-/// The basis functions of a surface that may have influence at a place, with indices in its list.
-fn surface_terms<T: Scalar>(
-    (u, v): (&SplineSpace<T>, &SplineSpace<T>),
-    at: &(T, T),
-    (k, l): (usize, usize),
-) -> Result<Vec<(usize, T)>> {
-    let (left, right) = (curve_terms(u, &at.0, k)?, curve_terms(v, &at.1, l)?);
-    let in_row = |(i, n): &(usize, T)| {
-        let (i, n) = (*i, n.clone());
-        right.iter().map(move |(j, m)| (i * v.dim() + j, n.clone() * m)).collect::<Vec<_>>()
-    };
-    Ok(left.iter().flat_map(in_row).collect())
 }

@@ -2,9 +2,9 @@
 
 use crate::coeff::Coeff;
 use crate::constrain::sparse::SparseRow;
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::scalar::Scalar;
-use crate::shape::controlled::{Controlled, checked, curve_terms, get, in_grid, surface_terms};
+use crate::shape::controlled::{Controlled, get};
 use crate::space::SplineSpace;
 use crate::spline::Spline;
 use crate::tensor::along::Direction;
@@ -34,6 +34,14 @@ impl<T: Scalar, C: Coeff<T>> Controlled<T> for Spline<T, C> {
         at
     }
 
+    fn order_along(order: usize, direction: Direction) -> usize {
+        if direction == Direction::U { order } else { 0 }
+    }
+
+    fn order_of(along: impl Fn(Direction) -> usize) -> usize {
+        along(Direction::U)
+    }
+
     fn flat(&self, index: usize) -> Result<usize> {
         checked(index, self.coeffs().len())
     }
@@ -46,8 +54,12 @@ impl<T: Scalar, C: Coeff<T>> Controlled<T> for Spline<T, C> {
         get(self.coeffs(), flat).map(|_| T::one())
     }
 
+    fn reach(&self, at: &T, order: usize) -> Result<Vec<(usize, T)>> {
+        along_one(self.space(), at, order)
+    }
+
     fn influence(&self, at: &T, order: usize) -> Result<SparseRow<T>> {
-        Ok(SparseRow::new(curve_terms(self.space(), at, order)?))
+        Ok(SparseRow::new(self.reach(at, order)?))
     }
 
     fn derivative_of(&self, at: &T, order: usize) -> Result<C> {
@@ -88,6 +100,14 @@ impl<T: Scalar, C: Coeff<T>> Controlled<T> for TensorSpline<T, C> {
         }
     }
 
+    fn order_along((k, l): (usize, usize), direction: Direction) -> usize {
+        if direction == Direction::U { k } else { l }
+    }
+
+    fn order_of(along: impl Fn(Direction) -> usize) -> (usize, usize) {
+        (along(Direction::U), along(Direction::V))
+    }
+
     fn flat(&self, index: (usize, usize)) -> Result<usize> {
         in_grid(self.u(), self.v(), index)
     }
@@ -100,8 +120,17 @@ impl<T: Scalar, C: Coeff<T>> Controlled<T> for TensorSpline<T, C> {
         get(self.coeffs(), flat).map(|_| T::one())
     }
 
+    fn reach(&self, at: &(T, T), (k, l): (usize, usize)) -> Result<Vec<(usize, T)>> {
+        let (left, right) = (along_one(self.u(), &at.0, k)?, along_one(self.v(), &at.1, l)?);
+        let mut terms = Vec::with_capacity(left.len() * right.len());
+        for (i, n) in &left {
+            terms.extend(right.iter().map(|(j, m)| (i * self.v().dim() + j, n.clone() * m)));
+        }
+        Ok(terms)
+    }
+
     fn influence(&self, at: &(T, T), order: (usize, usize)) -> Result<SparseRow<T>> {
-        Ok(SparseRow::new(surface_terms((self.u(), self.v()), at, order)?))
+        Ok(SparseRow::new(self.reach(at, order)?))
     }
 
     fn derivative_of(&self, (u, v): &(T, T), (k, l): (usize, usize)) -> Result<C> {
@@ -120,4 +149,20 @@ impl<T: Scalar, C: Coeff<T>> Controlled<T> for TensorSpline<T, C> {
     fn elevated_along(&self, direction: Direction, raise: usize) -> Result<Self> {
         self.elevated(direction, raise)
     }
+}
+
+/// The basis functions of one space that may have influence at `x`, with the places of their coefficients.
+fn along_one<T: Scalar>(space: &SplineSpace<T>, x: &T, order: usize) -> Result<Vec<(usize, T)>> {
+    let row = space.basis_derivative(x, order)?;
+    let first = row.first();
+    Ok(row.into_weights().into_iter().enumerate().map(|(i, n)| (space.slot(first + i), n)).collect())
+}
+
+fn checked(index: usize, length: usize) -> Result<usize> {
+    if index < length { Ok(index) } else { Err(Error::IndexOutOfRange { index, length }) }
+}
+
+/// The place of control point `(i, j)` of a grid.
+fn in_grid<T: Scalar>(u: &SplineSpace<T>, v: &SplineSpace<T>, (i, j): (usize, usize)) -> Result<usize> {
+    Ok(checked(i, u.dim())? * v.dim() + checked(j, v.dim())?)
 }

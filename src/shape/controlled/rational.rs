@@ -1,170 +1,126 @@
 //! Rational curves and surfaces as shapes with control points: points move, weights stay.
+//!
+//! One text for both: what is asked of spaces and places the lifted spline answers, and values and influences are quotients.
 
 use crate::coeff::Coeff;
 use crate::constrain::sparse::SparseRow;
 use crate::error::{Error, Result};
-use crate::rational::domain::{Domain, Interval, Rectangle};
+use crate::rational::domain::Domain;
 use crate::rational::quotient::quotients;
 use crate::rational::spline::Rational;
 use crate::row::Row;
 use crate::scalar::Scalar;
-use crate::shape::controlled::{Controlled, checked, curve_terms, get, in_grid, surface_terms};
+use crate::shape::controlled::{Controlled, get};
 use crate::space::SplineSpace;
 use crate::tensor::along::Direction;
 use crate::weighted::Weighted;
 
-impl<T: Scalar, C: Coeff<T>> Controlled<T> for Rational<Interval, T, C> {
+/// The spline that a rational one is in homogeneous coordinates.
+type Lifted<D, T, C> = <D as Domain<T>>::Spline<Weighted<T, C>>;
+
+impl<D: Domain<T>, T: Scalar, C: Coeff<T>> Controlled<T> for Rational<D, T, C>
+where
+    Lifted<D, T, C>: Controlled<T, Point = Weighted<T, C>>,
+{
     type Point = C;
-    type Parameter = T;
-    type Order = usize;
-    type Index = usize;
+    type Parameter = <Lifted<D, T, C> as Controlled<T>>::Parameter;
+    type Order = <Lifted<D, T, C> as Controlled<T>>::Order;
+    type Index = <Lifted<D, T, C> as Controlled<T>>::Index;
 
-    const VALUE: usize = 0;
-    const DIRECTIONS: &'static [Direction] = &[Direction::U];
+    const VALUE: Self::Order = Lifted::<D, T, C>::VALUE;
+    const DIRECTIONS: &'static [Direction] = Lifted::<D, T, C>::DIRECTIONS;
 
-    fn space_along(&self, _: Direction) -> &SplineSpace<T> {
-        self.space()
+    fn space_along(&self, direction: Direction) -> &SplineSpace<T> {
+        self.lifted().space_along(direction)
     }
 
-    fn coordinate(at: &T, _: Direction) -> &T {
-        at
+    fn coordinate(at: &Self::Parameter, direction: Direction) -> &T {
+        Lifted::<D, T, C>::coordinate(at, direction)
     }
 
-    fn flat(&self, index: usize) -> Result<usize> {
-        checked(index, self.space().dim())
+    fn order_along(order: Self::Order, direction: Direction) -> usize {
+        Lifted::<D, T, C>::order_along(order, direction)
+    }
+
+    fn order_of(along: impl Fn(Direction) -> usize) -> Self::Order {
+        Lifted::<D, T, C>::order_of(along)
+    }
+
+    fn flat(&self, index: Self::Index) -> Result<usize> {
+        self.lifted().flat(index)
     }
 
     fn control_point(&self, flat: usize) -> Result<C> {
-        projected(self.lifted().coeffs(), flat)
-    }
-
-    fn control_weight(&self, flat: usize) -> Result<T> {
-        get(self.lifted().coeffs(), flat).map(|c| c.weight.clone())
-    }
-
-    fn influence(&self, at: &T, order: usize) -> Result<SparseRow<T>> {
-        rational_row(self.lifted().coeffs(), (order, 0), |k, _| curve_terms(self.space(), at, k))
-    }
-
-    fn derivative_of(&self, at: &T, order: usize) -> Result<C> {
-        Ok(self.derivatives_at(at, order)?.swap_remove(order))
-    }
-
-    fn move_points(&mut self, moves: &[(usize, C)]) -> Result<()> {
-        self.move_weighted(moves)
-    }
-
-    fn inserted_along(&self, _: Direction, knots: &[T]) -> Result<Self> {
-        self.inserted(knots)
-    }
-
-    fn elevated_along(&self, _: Direction, raise: usize) -> Result<Self> {
-        self.elevated(raise)
-    }
-}
-
-impl<T: Scalar, C: Coeff<T>> Controlled<T> for Rational<Rectangle, T, C> {
-    type Point = C;
-    type Parameter = (T, T);
-    type Order = (usize, usize);
-    type Index = (usize, usize);
-
-    const VALUE: (usize, usize) = (0, 0);
-    const DIRECTIONS: &'static [Direction] = &[Direction::U, Direction::V];
-
-    fn space_along(&self, direction: Direction) -> &SplineSpace<T> {
-        self.lifted().space(direction)
-    }
-
-    fn coordinate(at: &(T, T), direction: Direction) -> &T {
-        match direction {
-            Direction::U => &at.0,
-            Direction::V => &at.1,
+        match get(D::coeffs(self.lifted()), flat)? {
+            Weighted { weight, .. } if *weight <= T::zero() => {
+                Err(Error::Weight { index: flat, weight: weight.to_string() })
+            }
+            weighted => Ok(weighted.project()),
         }
     }
 
-    fn flat(&self, index: (usize, usize)) -> Result<usize> {
-        in_grid(self.u(), self.v(), index)
-    }
-
-    fn control_point(&self, flat: usize) -> Result<C> {
-        projected(self.lifted().coeffs(), flat)
-    }
-
     fn control_weight(&self, flat: usize) -> Result<T> {
-        get(self.lifted().coeffs(), flat).map(|c| c.weight.clone())
+        get(D::coeffs(self.lifted()), flat).map(|c| c.weight.clone())
     }
 
-    fn influence(&self, at: &(T, T), order: (usize, usize)) -> Result<SparseRow<T>> {
-        let spaces = (self.u(), self.v());
-        rational_row(self.lifted().coeffs(), order, |k, l| surface_terms(spaces, at, (k, l)))
+    fn reach(&self, at: &Self::Parameter, order: Self::Order) -> Result<Vec<(usize, T)>> {
+        self.lifted().reach(at, order)
     }
 
-    fn derivative_of(&self, (u, v): &(T, T), (k, l): (usize, usize)) -> Result<C> {
-        Ok(self.derivatives_at(u, v, k.max(l))?.swap_remove(k).swap_remove(l))
+    fn influence(&self, at: &Self::Parameter, order: Self::Order) -> Result<SparseRow<T>> {
+        let mut terms = self.reach(at, order)?;
+        let lifted = |terms: &[(usize, T)]| {
+            let weight = |i: usize| &D::coeffs(self.lifted())[i].weight;
+            let point = Row(terms.iter().map(|(i, n)| n.clone() * weight(*i)).collect::<Vec<T>>());
+            let weight = point.iter().fold(T::zero(), |sum, share| sum + share);
+            Weighted { point, weight }
+        };
+        let row =
+            quotient_at::<_, Self, _>(order, lifted(&terms), |order| Ok(lifted(&self.reach(at, order)?)))?;
+        terms.iter_mut().zip(row.0).for_each(|((_, n), r)| *n = r);
+        Ok(SparseRow::new(terms))
+    }
+
+    fn derivative_of(&self, at: &Self::Parameter, order: Self::Order) -> Result<C> {
+        let derivative = |order| self.lifted().derivative_of(at, order);
+        quotient_at::<_, Self, _>(order, derivative(order)?, derivative)
     }
 
     fn move_points(&mut self, moves: &[(usize, C)]) -> Result<()> {
-        self.move_weighted(moves)
+        let moved = |(i, by): &(usize, C)| {
+            let Weighted { point, weight } = get(D::coeffs(self.lifted()), *i)?;
+            Ok((*i, Weighted { point: point.plus_scaled(weight, by), weight: weight.clone() }))
+        };
+        let new = moves.iter().map(moved).collect::<Result<_>>()?;
+        self.replace_points(new)
     }
 
     fn inserted_along(&self, direction: Direction, knots: &[T]) -> Result<Self> {
-        self.inserted(direction, knots)
+        Self::known(self.lifted().inserted_along(direction, knots)?)
     }
 
     fn elevated_along(&self, direction: Direction, raise: usize) -> Result<Self> {
-        self.elevated(direction, raise)
+        Self::known(self.lifted().elevated_along(direction, raise)?)
     }
 }
 
-impl<D: Domain<T>, T: Scalar, C: Coeff<T>> Rational<D, T, C> {
-    /// As [`Controlled::move_points`]: no weight changes.
-    fn move_weighted(&mut self, moves: &[(usize, C)]) -> Result<()> {
-        let new = moved_weighted(D::coeffs(self.lifted()), moves)?;
-        self.replace_points(new)
+/// The derivative of some order of a quotient, from that of numerator and denominator and all below.
+fn quotient_at<T: Scalar, S: Controlled<T>, C: Coeff<T>>(
+    order: S::Order,
+    highest: Weighted<T, C>,
+    lower: impl Fn(S::Order) -> Result<Weighted<T, C>>,
+) -> Result<C> {
+    let [k, l] = [Direction::U, Direction::V].map(|d| S::order_along(order, d));
+    if (k, l) == (0, 0) {
+        return Ok(highest.project());
     }
-}
-
-/// The control point of a weighted one.
-fn projected<T: Scalar, C: Coeff<T>>(coeffs: &[Weighted<T, C>], index: usize) -> Result<C> {
-    let weighted = get(coeffs, index)?;
-    if weighted.weight <= T::zero() {
-        return Err(Error::Weight { index, weight: weighted.weight.to_string() });
-    }
-    Ok(weighted.project())
-}
-
-/// The weights `R_i^(order)` from the terms of the highest derivative `N_i^(order)` and of those below.
-fn rational_row<T: Scalar, C>(
-    coeffs: &[Weighted<T, C>],
-    (k, l): (usize, usize),
-    terms: impl Fn(usize, usize) -> Result<Vec<(usize, T)>>,
-) -> Result<SparseRow<T>> {
-    let mut last = terms(k, l)?;
-    let lifted = |terms: &[(usize, T)]| {
-        let point = Row(terms.iter().map(|(i, n)| n.clone() * &coeffs[*i].weight).collect::<Vec<T>>());
-        let weight = point.iter().fold(T::zero(), |sum, share| sum + share);
-        Weighted { point, weight }
+    let of = |i: usize, j: usize| {
+        if (i, j) == (k, l) {
+            return Ok(highest.clone());
+        }
+        lower(S::order_of(|d| if d == Direction::U { i } else { j }))
     };
-    let row = if (k, l) == (0, 0) {
-        lifted(&last).project()
-    } else {
-        let columns = (0..=k).map(|i| (0..=l).map(|j| Ok(lifted(&terms(i, j)?))).collect());
-        let all = quotients(&columns.collect::<Result<Vec<Vec<_>>>>()?);
-        all.into_iter().next_back().and_then(|row| row.into_iter().next_back()).expect("there is the value")
-    };
-    last.iter_mut().zip(row.0).for_each(|((_, n), r)| *n = r);
-    Ok(SparseRow::new(last))
-}
-
-/// `(w P + w d, w)` for each move `(i, d)`.
-fn moved_weighted<T: Scalar, C: Coeff<T>>(
-    coeffs: &[Weighted<T, C>],
-    moves: &[(usize, C)],
-) -> Result<Vec<(usize, Weighted<T, C>)>> {
-    let moved = |(i, by): &(usize, C)| {
-        let Weighted { point, weight } = get(coeffs, *i)?;
-        Ok((*i, Weighted { point: point.plus_scaled(weight, by), weight: weight.clone() }))
-    };
-    moves.iter().map(moved).collect()
+    let columns = (0..=k).map(|i| (0..=l).map(|j| of(i, j)).collect()).collect::<Result<Vec<Vec<_>>>>()?;
+    let last = quotients(&columns).pop().and_then(|mut row| row.pop());
+    Ok(last.expect("there is at least the value"))
 }
