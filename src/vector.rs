@@ -1,7 +1,7 @@
 //! Lengths and cross products of points of the plane and of space, over any field.
 
 use crate::coeff::Coeff;
-use crate::scalar::{Real, Scalar, larger};
+use crate::scalar::{Real, Scalar, larger, larger_size};
 use nalgebra::{SVector, vector};
 
 /// The dot product of two points.
@@ -43,6 +43,20 @@ pub(crate) fn cross2<T: Scalar>(c: &SVector<T, 2>, d: &SVector<T, 2>) -> T {
 pub(crate) fn cross3<T: Scalar>(c: &SVector<T, 3>, d: &SVector<T, 3>) -> SVector<T, 3> {
     let minor = |i: usize, j: usize| c[i].clone() * &d[j] - c[j].clone() * &d[i];
     vector![minor(1, 2), minor(2, 0), minor(0, 1)]
+}
+
+/// The largest component of points.
+pub(crate) fn extent<'a, T: Scalar, C: Coeff<T>>(points: impl IntoIterator<Item = &'a C>) -> T {
+    points.into_iter().flat_map(C::components).map(T::magnitude).fold(T::zero(), larger_size)
+}
+
+/// `(way · target) / (way · way)` for a way that is not zero, where no square overflows.
+pub(crate) fn fraction_near<T: Scalar, C: Coeff<T>>(way: &C, target: &C) -> T {
+    let size = extent([way]);
+    let [mut way, mut target] = [way.clone(), target.clone()];
+    way.divide(&size);
+    target.divide(&size);
+    T::dot(way.components().zip(target.components())) / way.squared_size()
 }
 
 /// The Euclidean length of a vector, without overflow or underflow on the way.

@@ -123,9 +123,7 @@ impl<'a, T: Scalar, S: Controlled<T>> Constraints<'a, T, S> {
     /// # Errors
     /// [`Error::IndexOutOfRange`].
     pub fn freeing(mut self, indices: &[S::Index]) -> Result<Self> {
-        let free =
-            indices.iter().map(|index| self.shape.flat(*index)).collect::<Result<BTreeSet<usize>>>()?;
-        self.held.extend((0..self.shape.control_count()).filter(|i| !free.contains(i)));
+        self.free = Some(indices.iter().map(|index| self.shape.flat(*index)).collect::<Result<_>>()?);
         Ok(self)
     }
 
@@ -159,11 +157,9 @@ impl<'a, T: Scalar, S: Controlled<T>> Constraints<'a, T, S> {
     /// [`Excess::LeastSquares`] is asked for; [`Error::CoefficientCount`] without constraints; [`Error::TooLarge`];
     /// [`Error::NotFinite`] on overflow.
     pub fn prepare(&self) -> Result<Constrained<T, S>> {
-        let rows: Vec<SparseRow<T>> = self.wanted.iter().map(|wanted| wanted.row.clone()).collect();
-        let free: Vec<SparseRow<T>> =
-            rows.iter().map(|row| row.without(|i| self.held.contains(&i))).collect();
-        let price = |i: usize| self.weights.get(&i).cloned().unwrap_or_else(T::one);
-        let (indices, matrix) = least_moves(&free, price, self.excess)?;
+        let free = |wanted: &Wanted<T, S>| wanted.row.without(|i| !self.may_move(i));
+        let free: Vec<SparseRow<T>> = self.wanted.iter().map(free).collect();
+        let (indices, matrix) = least_moves(&free, |i| self.price(i), self.excess)?;
         let drag = Drag::new(self.shape.control_count(), indices, matrix, free.len());
         Ok(Constrained { wanted: self.wanted.clone(), drag })
     }

@@ -185,7 +185,7 @@ impl<T: Scalar, const N: usize> CoupledDrag<T, N> {
 /// points; how long the derivative becomes is left to that.
 ///
 /// # Errors
-/// [`Error::OutsideDomain`]; [`Error::NoLength`] for a zero direction; [`ShapeError::TangentReversed`] if the
+/// [`Error::OutsideDomain`]; [`Error::NoLength`] for a zero direction; [`Error::NotFinite`]; [`ShapeError::TangentReversed`] if the
 /// derivative would vanish or point the other way, as it does from a turn by a right angle on; those of
 /// [`Constraints::prepare`].
 ///
@@ -205,6 +205,9 @@ pub fn with_tangent<T: Scalar, S, const N: usize>(shape: &S, x: &T, direction: &
 where
     S: Controlled<T, Parameter = T, Order = usize, Point = SVector<T, N>>,
 {
+    if let Some(index) = direction.iter().position(|x| !x.is_finite()) {
+        return Err(Error::NotFinite { what: "direction", index });
+    }
     let size = |a: &usize| direction[*a].magnitude();
     let pivot = (0..N).reduce(|a, b| if size(&a) < size(&b) { b } else { a });
     let pivot = pivot.filter(|a| !direction[*a].is_zero()).ok_or(Error::NoLength)?;
@@ -220,8 +223,10 @@ where
         wanted = wanted.along(x, 1, &across)?;
     }
     let turned = wanted.prepare()?.dragged(shape, &[SVector::zeros()], &numbers)?;
-    if dot(&turned.derivative_of(x, 1)?, direction) > T::zero() {
-        return Ok(turned);
+    // The two are parallel: one component tells, and no product overflows.
+    let along = turned.derivative_of(x, 1)?[pivot].clone();
+    match direction[pivot] > T::zero() {
+        forward if forward && along > T::zero() || !forward && along < T::zero() => Ok(turned),
+        _ => Err(ShapeError::TangentReversed.into()),
     }
-    Err(ShapeError::TangentReversed.into())
 }

@@ -6,7 +6,7 @@ use crate::scalar::{Real, Scalar};
 use crate::shape::constraints::Constraints;
 use crate::shape::controlled::Controlled;
 use crate::shape::drag::Drag;
-use crate::vector::{dot, length};
+use crate::vector::{fraction_near, length};
 use nalgebra::SVector;
 
 /// Point and first derivative held at one place of a curve, ready to change the second derivative there [FB, Figures 3
@@ -118,11 +118,10 @@ impl<T: Scalar> CurvatureHandle<T> {
         S: Controlled<T, Parameter = T, Order = usize, Point = SVector<T, N>>,
     {
         let (first, second) = (curve.derivative_of(&self.x, 1)?, curve.derivative_of(&self.x, 2)?);
-        let square = first.squared_size();
-        if square.is_zero() {
+        if first.vanishes() {
             return Err(Error::Stationary { parameter: self.x.to_string() });
         }
-        let share = dot(&first, &second) / square;
+        let share = fraction_near(&first, &second);
         Ok(second.plus_scaled(&-share, &first))
     }
 }

@@ -43,10 +43,14 @@ impl<T: Scalar> Drag<T> {
     /// By what the control points move.
     ///
     /// # Errors
-    /// [`Error::CoefficientCount`] unless there is a vector for each column.
+    /// [`Error::CoefficientCount`] unless there is a vector for each column; [`Error::Ragged`] if these are rows of different
+    /// lengths.
     pub fn moves<C: Coeff<T>>(&self, by: &[C]) -> Result<Vec<(usize, C)>> {
         if by.len() != self.columns {
             return Err(Error::CoefficientCount { expected: self.columns, found: by.len() });
+        }
+        if let Some(index) = by.iter().position(|vector| !vector.same_shape(&by[0])) {
+            return Err(Error::Ragged { index });
         }
         let sum = |row: &[T]| C::combine(row.iter().zip(by)).expect("at least one column");
         Ok(self.indices.iter().zip(self.rows()).map(|(i, row)| (*i, sum(row))).collect())
@@ -56,7 +60,8 @@ impl<T: Scalar> Drag<T> {
     ///
     /// # Errors
     /// [`Error::CoefficientCount`] unless there is a vector for each column, and as many control points as the shape had for
-    /// which this was prepared; [`Error::NotFinite`] on overflow.
+    /// which this was prepared; [`Error::NotFinite`] on overflow; [`Error::Ragged`] if vectors are rows of another length than the
+    /// control points.
     pub fn apply<S: Controlled<T>>(&self, shape: &mut S, by: &[S::Point]) -> Result<()> {
         self.check(shape)?;
         shape.move_points(&self.moves(by)?)

@@ -62,7 +62,8 @@ impl<T: Scalar> SplineSpace<T> {
     ///
     /// # Errors
     /// [`ShapeError::KnotThere`]: inserting it makes splines less smooth, so that they may get a corner; those who want that
-    /// take [`halfway_knot_or_copy`](Self::halfway_knot_or_copy). [`ShapeError::NoHalfwayKnot`];
+    /// take [`halfway_knot_or_copy`](Self::halfway_knot_or_copy). [`ShapeError::NoHalfwayKnot`], also in rings of fewer than `p`
+    /// coefficients, where a knot counts several times for each node and the formulas need not hold;
     /// [`Error::DegreeTooLow`] below degree 2; [`Error::OutsideDomain`].
     ///
     /// # Examples

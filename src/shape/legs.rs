@@ -7,6 +7,7 @@ use crate::ops::bound::{check_tolerance, epsilon};
 use crate::scalar::Scalar;
 use crate::shape::controlled::Controlled;
 use crate::tensor::along::Direction;
+use crate::vector::{extent, fraction_near};
 
 /// A point of a leg of the control polygon, of a surface of an edge of its control net: `(1 - θ) P + θ P'`, from one
 /// control point `P` to the next one `P'` along a direction.
@@ -61,7 +62,7 @@ impl<T: Scalar> LegPoint<T> {
     ///
     /// # Errors
     /// As [`new`](Self::new); [`Error::BadTolerance`]; [`Error::TooFar`] if `target` is farther than `tolerance` from the
-    /// line, in floating point but for rounding; [`Error::ZeroLeg`].
+    /// line, in floating point but for rounding; [`Error::ZeroLeg`]; [`Error::NotFinite`] on overflow.
     pub fn at<S: Controlled<T>>(
         shape: &S,
         direction: Direction,
@@ -72,17 +73,25 @@ impl<T: Scalar> LegPoint<T> {
         check_tolerance(tolerance)?;
         let leg = Self::leg(shape, direction, index)?;
         let (start, end) = (shape.control_point(leg.ends.0)?, shape.control_point(leg.ends.1)?);
-        let (way, along) = (target.minus(&start), end.minus(&start));
-        let square = along.squared_size();
-        if square.is_zero() {
+        let mut ways = [target.minus(&start), end.minus(&start)];
+        let size = extent(&ways);
+        if !size.is_finite() {
+            return Err(Error::NotFinite { what: "distance of points", index: 0 });
+        }
+        if ways[1].vanishes() {
             return Err(Error::ZeroLeg { index: leg.ends.0 });
         }
-        let fraction = T::dot(way.components().zip(along.components())) / &square;
-        let off = way.plus_scaled(&-fraction.clone(), &along).squared_size();
+        let fraction = fraction_near(&ways[1], &ways[0]);
+        if !fraction.is_finite() {
+            return Self::new(shape, direction, index, fraction);
+        }
+        // In proportion to the largest, so that no square overflows.
+        ways.iter_mut().for_each(|way| way.divide(&size));
         let noise = if T::EXACT { T::zero() } else { epsilon::<T>() * T::int(8) };
-        let size = start.squared_size() + end.squared_size() + target.squared_size();
-        if off > tolerance.clone() * tolerance + noise.clone() * noise * size {
-            let distance = T::root_above(&off).to_string();
+        let allowed = (tolerance.clone() + noise * extent([&start, &end, target])) / &size;
+        let off = ways[0].plus_scaled(&-fraction.clone(), &ways[1]).squared_size();
+        if off > allowed.clone() * allowed {
+            let distance = (off.root_above() * size).to_string();
             return Err(Error::TooFar { distance, tolerance: tolerance.to_string() });
         }
         Self::new(shape, direction, index, fraction)

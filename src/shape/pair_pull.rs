@@ -15,12 +15,11 @@ use crate::coeff::Coeff;
 use crate::error::shape::ShapeError;
 use crate::error::{Error, Result};
 use crate::scalar::{Real, Scalar};
-use crate::shape::pull::{
-    check_count, check_finite, coincide, extent, fraction_near, length, odds, push_too_far,
-};
+use crate::shape::pull::{check_count, check_finite, coincide, length, odds, push_too_far};
 use crate::shape::weigh::{Weighed, is_among_positive};
 use crate::shape::weight_range::WeightRange;
 use crate::tensor::along::Direction;
+use crate::vector::{extent, fraction_near};
 
 /// A move of the point at a parameter by the weights of two control points, prepared: it works again and again from the shape as
 /// it was.
@@ -62,7 +61,8 @@ impl<T: Scalar, C: Coeff<T>> WeightPairPull<T, C> {
     /// # Errors
     /// [`Error::OutsideDomain`], [`Error::IndexOutOfRange`], [`ShapeError::PickedTwice`]; [`Error::Weight`] unless the weights
     /// are positive; [`ShapeError::NoInfluence`] if one of the two has none there (then take a [`WeightPull`](crate::WeightPull) for the
-    /// other); [`ShapeError::NoBase`] if nothing else has.
+    /// other); [`ShapeError::NoBase`] if nothing else has, or so many others of negative weight that nothing would be left of the
+    /// denominator without the two.
     ///
     /// # Examples
     /// ```

@@ -14,10 +14,11 @@
 use crate::coeff::Coeff;
 use crate::error::shape::ShapeError;
 use crate::error::{Error, Result};
-use crate::scalar::{Real, Scalar, larger_size};
+use crate::scalar::{Real, Scalar};
 use crate::shape::controlled::Controlled;
 use crate::shape::weigh::Weighed;
 use crate::shape::weight_range::WeightRange;
+use crate::vector::{extent, fraction_near};
 
 /// A pull of the point at a parameter toward a control point, prepared: it works again and again from the shape as it was.
 ///
@@ -79,11 +80,7 @@ impl<T: Scalar, C: Coeff<T>> WeightPull<T, C> {
         let Some(halving) = halving.filter(T::is_finite) else {
             return Err(ShapeError::NoInfluence { parameter: format!("{at:?}") }.into());
         };
-        let point = shape.derivative_of(at, S::VALUE)?;
-        if coincide(&point, &control) {
-            return Err(ShapeError::Fixed.into());
-        }
-        Ok(Self { count: shape.control_count(), index, control, point, weight, halving, range: None })
+        Self::prepared(shape, at, index, control, weight, halving)
     }
 
     /// The pull toward a control point that the shape does not have yet, because its weight is zero: `point` becomes it.
@@ -112,10 +109,32 @@ impl<T: Scalar, C: Coeff<T>> WeightPull<T, C> {
             return Err(Error::Weight { index: flat, weight: old.weight.to_string() });
         }
         let mut shown = shape.clone();
-        shown.place_weighted(&[(flat, point, T::one())])?;
-        let from_one = Self::new(&shown, at, index)?;
-        let (weight, halving) = (T::zero(), from_one.halving.clone() - T::one());
-        Ok(Self { point: shape.derivative_of(at, S::VALUE)?, weight, halving, ..from_one })
+        shown.place_weighted(&[(flat, point.clone(), T::one())])?;
+        let row = shown.influence(at, S::VALUE)?;
+        // By the shares of the others, not as one less the share of this one: that would amplify rounding where they have little.
+        let others = row.terms().iter().filter(|(i, _)| *i != flat);
+        let rest = others.fold(T::zero(), |sum, (_, share)| sum + share);
+        let halving = row.weight(flat).map(|share| rest / share);
+        let Some(halving) = halving.filter(T::is_finite) else {
+            return Err(ShapeError::NoInfluence { parameter: format!("{at:?}") }.into());
+        };
+        Self::prepared(shape, at, flat, point, T::zero(), halving)
+    }
+
+    /// The pull with its numbers, unless the point is the control point.
+    fn prepared<S: Weighed<T, Point = C>>(
+        shape: &S,
+        at: &S::Parameter,
+        index: usize,
+        control: C,
+        weight: T,
+        halving: T,
+    ) -> Result<Self> {
+        let point = shape.derivative_of(at, S::VALUE)?;
+        if coincide(&point, &control) {
+            return Err(ShapeError::Fixed.into());
+        }
+        Ok(Self { count: shape.control_count(), index, control, point, weight, halving, range: None })
     }
 
     /// The same with weights in `range` only.
@@ -313,24 +332,10 @@ pub(super) fn check_count<T: Scalar, S: Controlled<T>>(expected: usize, shape: &
     if found == expected { Ok(()) } else { Err(Error::CoefficientCount { expected, found }) }
 }
 
-/// The largest component of points.
-pub(super) fn extent<'a, T: Scalar, C: Coeff<T>>(points: impl IntoIterator<Item = &'a C>) -> T {
-    points.into_iter().flat_map(C::components).map(T::magnitude).fold(T::zero(), larger_size)
-}
-
 /// Whether two points are one, over floating point up to rounding.
 pub(super) fn coincide<T: Scalar, C: Coeff<T>>(point: &C, other: &C) -> bool {
     let noise = if T::EXACT { T::zero() } else { extent([point, other]) * T::frac(1, 1 << 48) };
     extent([&point.minus(other)]) <= noise
-}
-
-/// `(way · target) / (way · way)`, where no square overflows.
-pub(super) fn fraction_near<T: Scalar, C: Coeff<T>>(way: &C, target: &C) -> T {
-    let size = extent([way]);
-    let [mut way, mut target] = [way.clone(), target.clone()];
-    way.divide(&size);
-    target.divide(&size);
-    T::dot(way.components().zip(target.components())) / way.squared_size()
 }
 
 /// The length of a vector, where no square overflows.

@@ -26,9 +26,9 @@ impl<T: Scalar, S: Controlled<T>> Constraints<'_, T, S> {
     /// those that share control points with them; for surfaces in both directions.
     ///
     /// # Errors
-    /// [`ShapeError::NotCarried`] with rows, held control points or weights, which mean nothing on another shape; those of
-    /// [`prepare`](Self::prepare) if knots do not help, as with one constraint asked for twice, or a derivative beyond the
-    /// degree.
+    /// [`ShapeError::NotCarried`] with rows, held control points or weights, which mean nothing on another shape;
+    /// [`ShapeError::Dependent`] for one constraint asked for twice; those of [`prepare`](Self::prepare) if neither helps, as at
+    /// both ends of a ring, nor knots a derivative beyond the degree; those of the insertion or elevation.
     ///
     /// # Examples
     /// Five points on one cubic span:
@@ -51,9 +51,17 @@ impl<T: Scalar, S: Controlled<T>> Constraints<'_, T, S> {
         if rows || !self.held.is_empty() || self.free.is_some() || !self.weights.is_empty() {
             return Err(ShapeError::NotCarried.into());
         }
+        if let Some((first, second)) = self.twice() {
+            return Err(ShapeError::Dependent { condition: second, on: vec![first] }.into());
+        }
         let mut shape = self.shape.clone();
-        // A control point a constraint is enough, unless one is asked for twice.
-        for _ in 0..=4 * self.wanted.len() {
+        let steps = match relief {
+            // Most of the time a control point a constraint is enough.
+            Relief::Knots => 4 * self.wanted.len(),
+            // Polynomials of this degree take on any derivatives up to these orders.
+            Relief::Degree => self.wanted.iter().map(|wanted| wanted.order() + 1).sum(),
+        };
+        for _ in 0..=steps {
             let mut wanted = Constraints::on(&shape);
             for (at, order) in self.wanted.iter().filter_map(|wanted| wanted.derivative.as_ref()) {
                 wanted = wanted.derivative(at, *order)?;
@@ -79,7 +87,28 @@ impl<T: Scalar, S: Controlled<T>> Constraints<'_, T, S> {
     }
 }
 
+impl<T: Scalar, S: Controlled<T>> Wanted<T, S> {
+    /// The order of the derivative in all directions together.
+    fn order(&self) -> usize {
+        let along = |order: S::Order| S::DIRECTIONS.iter().map(move |d| S::order_along(order, *d)).sum();
+        self.derivative.as_ref().map_or(0, |(_, order)| along(*order))
+    }
+
+    fn is_same(&self, other: &Self) -> bool {
+        let (Some((x, k)), Some((y, l))) = (&self.derivative, &other.derivative) else { return false };
+        S::DIRECTIONS.iter().all(|d| {
+            S::coordinate(x, *d) == S::coordinate(y, *d) && S::order_along(*k, *d) == S::order_along(*l, *d)
+        })
+    }
+}
+
 impl<T: Scalar, S: Controlled<T>> Constraints<'_, T, S> {
+    /// Two constraints that are one.
+    fn twice(&self) -> Option<(usize, usize)> {
+        let before = |j: usize| (0..j).find(|i| self.wanted[*i].is_same(&self.wanted[j]));
+        (0..self.wanted.len()).find_map(|j| before(j).map(|i| (i, j)))
+    }
+
     /// The places of some constraints, and of all that have control points in common with them.
     fn beside(&self, clashing: &[usize]) -> Vec<S::Parameter> {
         let rows = clashing.iter().map(|i| &self.wanted[*i].row);

@@ -66,6 +66,7 @@ mod shape_bend_cases;
 mod shape_weights;
 mod shape_pairs;
 mod shape_halfway;
+mod shape_hostile;
 mod shape_regions;
 mod shape_warps;
 mod surface;

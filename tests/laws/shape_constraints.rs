@@ -300,6 +300,12 @@ proptest! {
     }
 
     #[test]
+    fn coordinates_one_by_one_are_vectors(c in curve::<2>(SMALL), s in nurbs_surface::<2>(FEW), wishes in wishes(4)) {
+        one_by_one(&c, &wishes)?;
+        one_by_one(&s, &wishes)?;
+    }
+
+    #[test]
     fn tangents_turn_about_their_points(c in curve::<3>(SMALL), r in nurbs::<2>(SMALL), x in any::<Index>(), to in point::<3>()) {
         turns(&c, x.get(&probes(c.space())), &to)?;
         turns(&r, x.get(&probes(r.space())), &vector![to[0].clone(), to[1].clone()])?;
@@ -348,6 +354,32 @@ proptest! {
             }
         }
     }
+}
+
+/// Vector constraints, coupled or taken apart into their coordinates, with what is held and the weights of movement.
+fn one_by_one<S: Wished<Point = SVector<Q, 2>>>(shape: &S, wishes: &Wishes) -> Result<(), TestCaseError> {
+    let wanted = shape.wish(wishes)?;
+    let Ok(held) = wanted.prepare() else {
+        prop_assert!(wanted.coupled().prepare().is_err());
+        return Ok(());
+    };
+    let changes = S::vectors(wishes, wishes.derivatives.len());
+    let expected = held.dragged(shape, &changes)?.control_points();
+    let coupled = wanted.clone().coupled().prepare()?.dragged(shape, &changes, &[])?;
+    prop_assert_eq!(&coupled.control_points(), &expected);
+    let first = Wishes { derivatives: wishes.derivatives[..1].to_vec(), ..wishes.clone() };
+    let mut apart = shape.wish(&first)?.coupled();
+    let mut numbers = Vec::new();
+    for ((u, v, k, l), change) in wishes.derivatives.iter().zip(&changes).skip(1) {
+        for axis in 0..2 {
+            let n = SVector::<Q, 2>::from_fn(|i, _| Q::int(i64::from(i == axis)));
+            apart = apart.along(&shape.place((u, v)), S::order((*k, *l)), &n)?;
+            numbers.push(change[axis].clone());
+        }
+    }
+    let apart = apart.prepare()?.dragged(shape, &changes[..1], &numbers)?;
+    prop_assert_eq!(apart.control_points(), expected);
+    Ok(())
 }
 
 /// The tangent has the direction, and the point is the same.

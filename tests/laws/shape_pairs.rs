@@ -51,6 +51,22 @@ fn two_weights_move_the_point<S: Shape<N>, const N: usize>(
                 .map(|(i, to, from)| pull.weights()[i].clone() * to / from * &rest / (Q::int(1) - &c - &d));
             prop_assert_eq!(&weights, &expected);
             prop_assert_eq!(pull.coordinates(&target, &Q::int(0))?, [c, d]);
+            // A range with these at its ends allows them, a smaller one does not.
+            let [low, high] =
+                if weights[0] < weights[1] { [&weights[0], &weights[1]] } else { [&weights[1], &weights[0]] };
+            let ranged = pull.clone().within(WeightRange::new(low.clone(), high.clone())?);
+            prop_assert_eq!(&ranged.weights_for(&target, &Q::int(0))?, &weights);
+            for (least, most) in [
+                (low.clone() * Q::int(2), high.clone() * Q::int(2)),
+                (low.clone() / Q::int(2), high.clone() / Q::int(2)),
+            ] {
+                let ranged = pull.clone().within(WeightRange::new(least, most)?);
+                let told = matches!(
+                    refused(ranged.weights_for(&target, &Q::int(0))),
+                    Some(ShapeError::WeightOutOfRange { .. })
+                );
+                prop_assert!(told);
+            }
             let done = pull.apply_to(&mut moving, &target, &Q::int(0));
             let [x, y] = weights;
             if proved(shape, &moving, &[(r, x), (s, y)], done)? {
@@ -107,11 +123,19 @@ fn along_the_line<S: Shape<N>, const N: usize>(
     for (limit, beyond) in [(ranged.push_limit(), -1), (ranged.pull_limit(), 1)] {
         let ends = ranged.weights_along(&limit)?;
         prop_assert!(ends.contains(around.least()) || ends.contains(around.most()));
+        // They are not only cut off there.
+        prop_assert_eq!(ends[0].clone() * &pull.weights()[1], ends[1].clone() * &pull.weights()[0]);
         let fraction = limit.clone() + Q::frac(beyond, 1_000_000) * (Q::int(1) - limit);
-        let refused = refused(ranged.weights_along(&fraction));
-        let told =
-            matches!(refused, Some(ShapeError::WeightOutOfRange { .. } | ShapeError::PushTooFar { .. }));
-        prop_assert!(told);
+        match refused(ranged.weights_along(&fraction)) {
+            Some(ShapeError::WeightOutOfRange { index, .. }) => {
+                let weights = pull.weights_along(&fraction)?;
+                let outside = |w: &Q| w < around.least() || around.most() < w;
+                let first = weights.iter().position(outside);
+                prop_assert_eq!(first.map(|i| pull.indices()[i]), Some(index));
+            }
+            Some(ShapeError::PushTooFar { .. }) => {}
+            other => prop_assert!(false, "{:?}", other),
+        }
     }
     Ok(())
 }

@@ -185,10 +185,10 @@ proptest! {
                 prop_assert!(new.same_function(&old)?);
             }
         }
-        // No knot became more frequent.
+        // No knot became more frequent, and new ones are in the interval.
         for (t, count) in finer.space().breaks() {
             let before = c.space().breaks().into_iter().find(|(old, _)| *old == t).map_or(0, |(_, count)| count);
-            prop_assert!(count == before || (before, count) == (0, 1));
+            prop_assert!(count == before || (before, count) == (0, 1) && start <= &t && &t <= end);
         }
     }
 }
@@ -214,7 +214,11 @@ fn leg_point<S: Controlled<Q>>(
             prop_assert!(weights.collect::<Result<Vec<Q>, _>>()?.iter().any(|w| *w <= Q::int(0)));
             return Ok(());
         }
-        Err(Error::OutsideDomain { .. }) if !shape.space_along(direction).is_clamped() => return Ok(()),
+        Err(Error::OutsideDomain { .. }) => {
+            let space = shape.space_along(direction);
+            prop_assert!(!space.is_clamped() && !space.is_periodic());
+            return Ok(());
+        }
         done => done?,
     };
     let start = shape.flat(index)?;
@@ -271,4 +275,39 @@ fn huge_moves_leave_the_curve_as_it_is() {
     let drag = Drag::by_one(&f, &0.5, 1).unwrap();
     assert!(matches!(drag.apply(&mut f, &[1e308]), Err(Error::NotFinite { .. })));
     assert_eq!(f, before);
+}
+
+#[test]
+fn confined_pulls_have_their_knots_to_both_sides() {
+    for degree in 1..6 {
+        let space = SplineSpace::bezier(degree, Q::int(0), Q::int(1)).unwrap();
+        let f = symspline::Function::constant(space, Q::int(0)).unwrap();
+        let [start, x, end] = [2, 3, 8].map(|i| Q::frac(i, 10));
+        let (finer, k) = confined(&f, Direction::U, &x, (&start, &end)).unwrap();
+        let count = |from: &Q, to: &Q| finer.space().knots().iter().filter(|t| from < t && *t < to).count();
+        let (before, after) = (count(&start, &x), count(&x, &end));
+        assert!(before.abs_diff(after) <= 2, "degree {degree}: {before} and {after}");
+        let (from, to) = finer.space().support(k).unwrap();
+        assert!(start <= *from && *to <= end);
+    }
+}
+
+#[test]
+fn legs_across_the_seam_of_a_ring_have_their_points() {
+    let space = SplineSpace::uniform_periodic(2, 5, Q::int(0), Q::int(5)).unwrap();
+    let points = [1, 4, 9, 16, 25].map(Q::int).to_vec();
+    let ring = symspline::Function::new(space, points.clone()).unwrap();
+    for k in 0..5 {
+        // The knot in the middle is there already, for one leg at the seam.
+        let leg = LegPoint::new(&ring, Direction::U, k, Q::frac(1, 2)).unwrap();
+        assert_eq!(leg.is_knot(&ring), Ok(true));
+        let (finer, place) = leg.inserted(&ring).unwrap();
+        assert_eq!(finer.coeffs()[place], (points[k].clone() + &points[(k + 1) % 5]) / Q::int(2));
+        assert_eq!(finer.same_function(&ring), Ok(true));
+    }
+    let seam = |x: &Q| ring.space().node_placing_knot(x).unwrap_err();
+    for x in [Q::int(0), Q::int(1), Q::int(4)] {
+        assert!(matches!(seam(&x), Error::Shape(ShapeError::KnotThere { .. })));
+    }
+    assert_eq!(seam(&Q::int(0)), ShapeError::KnotThere { knot: "0".into() }.into());
 }

@@ -9,6 +9,7 @@ use crate::error::{Error, Result};
 use crate::scalar::Scalar;
 use crate::space::SplineSpace;
 use crate::tensor::along::Direction;
+use std::collections::BTreeMap;
 use std::fmt::Debug;
 
 /// A curve or surface `Σ R_i P_i` with control points `P_i` that can be moved, polynomial (`R_i = N_i`) or rational.
@@ -95,10 +96,11 @@ pub trait Controlled<T: Scalar>: Clone + Debug {
     /// [`Error::OutsideDomain`], [`Error::DegreeTooHigh`].
     fn derivative_of(&self, at: &Self::Parameter, order: Self::Order) -> Result<Self::Point>;
 
-    /// Moves control points by vectors; weights stay. On an error nothing has moved.
+    /// Moves control points by vectors, one after the other; weights stay. On an error nothing has moved.
     ///
     /// # Errors
-    /// [`Error::IndexOutOfRange`], [`Error::NotFinite`] on overflow.
+    /// [`Error::IndexOutOfRange`], [`Error::NotFinite`] on overflow; [`Error::Ragged`] for rows of another length than the
+    /// control points.
     fn move_points(&mut self, moves: &[(usize, Self::Point)]) -> Result<()>;
 
     /// The same shape with `knots` inserted along `direction`.
@@ -135,4 +137,26 @@ pub trait Controlled<T: Scalar>: Clone + Debug {
 
 fn get<C>(coeffs: &[C], index: usize) -> Result<&C> {
     coeffs.get(index).ok_or(Error::IndexOutOfRange { index, length: coeffs.len() })
+}
+
+/// The new control points after moves, one for each; of one that is named again all moves count.
+fn moved_each<C: Clone, D>(
+    coeffs: &[C],
+    moves: &[(usize, D)],
+    moved: impl Fn(&C, &D) -> Result<C>,
+) -> Result<Vec<(usize, C)>> {
+    let mut new: Vec<(usize, C)> = Vec::with_capacity(moves.len());
+    // Prepared edits name each once, in ascending order.
+    let again = !moves.is_sorted_by(|(i, _), (j, _)| i < j);
+    let mut last: BTreeMap<usize, usize> = BTreeMap::new();
+    for (i, by) in moves {
+        let before = if again { last.insert(*i, new.len()) } else { None };
+        let old = match before {
+            Some(place) => &new[place].1,
+            None => get(coeffs, *i)?,
+        };
+        let moved = moved(old, by)?;
+        new.push((*i, moved));
+    }
+    Ok(new)
 }

@@ -1,10 +1,10 @@
 //! Polynomial curves and surfaces as shapes with control points.
 
-use crate::coeff::Coeff;
+use crate::coeff::{Coeff, check_pair};
 use crate::constrain::sparse::SparseRow;
 use crate::error::{Error, Result};
 use crate::scalar::Scalar;
-use crate::shape::controlled::{Controlled, get};
+use crate::shape::controlled::{Controlled, get, moved_each};
 use crate::space::SplineSpace;
 use crate::spline::Spline;
 use crate::tensor::along::Direction;
@@ -13,8 +13,11 @@ use crate::tensor::spline::TensorSpline;
 /// `c_i + d` for each move `(i, d)`.
 fn moved<T: Scalar, C: Coeff<T>>(coeffs: &[C], moves: &[(usize, C)]) -> Result<Vec<(usize, C)>> {
     let one = T::one();
-    let places = moves.iter().map(|(i, by)| Ok((*i, get(coeffs, *i)?.plus_scaled(&one, by))));
-    places.collect()
+    let moved = |c: &C, by: &C| {
+        check_pair(c, by)?;
+        Ok(c.plus_scaled(&one, by))
+    };
+    moved_each(coeffs, moves, moved)
 }
 
 impl<T: Scalar, C: Coeff<T>> Controlled<T> for Spline<T, C> {

@@ -2,7 +2,7 @@
 //!
 //! One text for both: what is asked of spaces and places the lifted spline answers, and values and influences are quotients.
 
-use crate::coeff::Coeff;
+use crate::coeff::{Coeff, check_pair};
 use crate::constrain::sparse::SparseRow;
 use crate::error::{Error, Result};
 use crate::rational::domain::Domain;
@@ -10,7 +10,7 @@ use crate::rational::quotient::quotients;
 use crate::rational::spline::Rational;
 use crate::row::Row;
 use crate::scalar::Scalar;
-use crate::shape::controlled::{Controlled, get};
+use crate::shape::controlled::{Controlled, get, moved_each};
 use crate::space::SplineSpace;
 use crate::tensor::along::Direction;
 use crate::weighted::Weighted;
@@ -87,11 +87,11 @@ where
     }
 
     fn move_points(&mut self, moves: &[(usize, C)]) -> Result<()> {
-        let moved = |(i, by): &(usize, C)| {
-            let Weighted { point, weight } = get(D::coeffs(self.lifted()), *i)?;
-            Ok((*i, Weighted { point: point.plus_scaled(weight, by), weight: weight.clone() }))
+        let moved = |Weighted { point, weight }: &Weighted<T, C>, by: &C| {
+            check_pair(point, by)?;
+            Ok(Weighted { point: point.plus_scaled(weight, by), weight: weight.clone() })
         };
-        let new = moves.iter().map(moved).collect::<Result<_>>()?;
+        let new = moved_each(D::coeffs(self.lifted()), moves, moved)?;
         self.replace_points(new)
     }
 
