@@ -118,8 +118,12 @@ pub enum ShapeError {
         index: usize,
     },
     /// A bend sends a point to infinity, or through it to the other side.
-    #[error("the cross ratio {ratio} sends a point with OR : OP = {share} to infinity or beyond")]
+    #[error(
+        "the cross ratio {ratio} sends control point {index}, with OR : OP = {share}, to infinity or beyond"
+    )]
     BeyondInfinity {
+        /// The control point.
+        index: usize,
         /// The cross ratio.
         ratio: String,
         /// The share `s` of the way from the centre to the point.

@@ -89,8 +89,8 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     /// As [`without_spare_knots`](Self::without_spare_knots), but only with knots from `start` to `end`, and with the spline
     /// as it is outside.
     ///
-    /// A knot goes if the removal changes the spline by a multiple of a basis function with its support between `start` and
-    /// `end` [NURBS, (11.41)], or, over an exact field, not at all. Outside the interval nothing changes, over inexact
+    /// A knot goes if the removal changes the spline by a multiple of a basis function without influence in the domain outside
+    /// the interval [NURBS, (11.41)], or, over an exact field, not at all. Outside the interval nothing changes, over inexact
     /// fields but for rounding, which is in the bound. Rings of fewer than `p + 2` coefficients keep their knots.
     ///
     /// # Errors
@@ -113,8 +113,7 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
         end: &T,
         tolerance: &T,
     ) -> Result<Approximation<Self, T>> {
-        let (start, end) = (start.clone(), end.clone());
-        self.thinned_in(tolerance, &Zone { start, end, beyond: &|_| T::zero() })
+        self.thinned_in(tolerance, (start, end), &|_| T::zero())
     }
 
     /// The spline without one copy of knot `index`, whatever that changes, and with the change in the narrowest interval.
@@ -169,17 +168,25 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
         if tight { thin_tight(spline, bound, times, limit) } else { Ok(Approximation { spline, bound }) }
     }
 
-    /// As [`thinned`](Self::thinned), with changes in `zone` alone. Small rings keep their knots.
-    pub(crate) fn thinned_in(&self, tolerance: &T, zone: &Zone<'_, T, C>) -> Result<Approximation<Self, T>> {
+    /// As [`thinned`](Self::thinned), with changes from `start` to `end` alone, of which nothing is `beyond`. Small rings keep
+    /// their knots.
+    pub(crate) fn thinned_in(
+        &self,
+        tolerance: &T,
+        (start, end): (&T, &T),
+        beyond: &dyn Fn(&C) -> T,
+    ) -> Result<Approximation<Self, T>> {
         check_tolerance(tolerance)?;
-        if zone.start >= zone.end {
-            return Err(Error::EmptyDomain { start: zone.start.to_string(), end: zone.end.to_string() });
+        if start >= end {
+            return Err(Error::EmptyDomain { start: start.to_string(), end: end.to_string() });
         }
-        self.space().locate(&zone.start)?;
-        self.space().locate_left(&zone.end)?;
+        self.space().locate(start)?;
+        self.space().locate_left(end)?;
+        let zone = Zone::of(self.space(), (start, end), beyond);
         let period = self.space().is_periodic().then(|| self.space().length());
         let times = |t: &T, copies: usize| if zone.holds((t, t), period.as_ref()) { copies } else { 0 };
-        let (spline, bound) = self.thinning(&Limit::Within(tolerance.clone()), times, Some(zone)).finish()?;
+        let (spline, bound) =
+            self.thinning(&Limit::Within(tolerance.clone()), times, Some(&zone)).finish()?;
         Ok(Approximation { spline, bound })
     }
 

@@ -17,7 +17,8 @@ pub struct Assigned<P> {
     pub parameter: P,
 }
 
-/// The nodes (11.4) as shares of the region along each direction: exact over any field.
+/// The nodes (11.4) as shares of the region along each direction: exact over any field. Nodes of an unclamped space beyond its ends
+/// count as at them.
 pub(crate) fn by_nodes<T: Scalar, P: Clone, S: Controlled<T, Parameter = P>>(
     shape: &S,
     region: &Region<T, P>,
@@ -26,7 +27,7 @@ pub(crate) fn by_nodes<T: Scalar, P: Clone, S: Controlled<T, Parameter = P>>(
     let along = |(direction, range): (&Direction, &std::ops::Range<usize>)| {
         let (start, end) = region.sides::<S>(*direction);
         let length = end.clone() - start;
-        let share = |i| (shape.space_along(*direction).mean_of_knots(i) - start) / &length;
+        let share = |i| (shape.space_along(*direction).node_inside(i) - start) / &length;
         range.clone().map(share).collect()
     };
     S::DIRECTIONS.iter().zip(window.ranges()).map(along).collect()

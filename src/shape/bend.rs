@@ -65,7 +65,7 @@ impl<T: Scalar, O, B> Bend<T, O, B> {
         Self { direction, ..self }
     }
 
-    /// Bends between two knots, which the ends are unless the shape is refined: the control points without influence elsewhere.
+    /// Bends between two knots, which the ends must be unless the shape is refined: the control points without influence elsewhere.
     pub fn on(self, start: T, end: T) -> Self {
         Self { interval: Some((start, end)), ..self }
     }
@@ -125,7 +125,7 @@ impl<T: Scalar, O, B> Bend<T, O, B> {
             let [start, end] = [start, end].map(T::to_string);
             return Err(ShapeError::NothingLocal { start, end }.into());
         }
-        if self.tails && space.is_periodic() {
+        if self.tails && space.is_periodic() && local.len() < space.dim() {
             return Err(ShapeError::NoEnds.into());
         }
         Ok(local)
@@ -158,7 +158,7 @@ impl<T: Scalar, O, B> Bend<T, O, B> {
         let after = mapped.clone().map(image).collect::<Result<Vec<_>>>()?;
         let mut moves: Vec<_> =
             mapped.clone().zip(before.iter().zip(&after)).map(|(i, (p, q))| (flat(i), q.minus(p))).collect();
-        if self.tails && self.interval.is_some() {
+        if self.tails && self.interval.is_some() && !space.is_periodic() {
             let last = before.len() - 1;
             let head = (0..mapped.start, 0, 1.min(last));
             let tail = (mapped.end..space.dim(), last, last.saturating_sub(1));
@@ -189,19 +189,22 @@ impl<T: Scalar, O, B> Bend<T, O, B> {
             return Err(ShapeError::AtCentre { index }.into());
         }
         let share = self.about.share(&centre, point)?.ok_or(ShapeError::NoBendPoint { index })?;
-        bent_point(&centre, point, &share, lambda)
+        bent_point(&centre, point, &share, lambda).ok_or_else(|| {
+            let (ratio, share) = (lambda.to_string(), share.to_string());
+            ShapeError::BeyondInfinity { index, ratio, share }.into()
+        })
     }
 
     /// The cross ratio of a control point.
     fn ratio_at<S: Controlled<T>>(&self, shape: &S, i: usize, row: usize) -> Result<T> {
-        let node = || shape.space_along(self.direction).node(i);
+        let node = |direction: Direction, i: usize| shape.space_along(direction).node_inside(i);
         match &self.ratio {
             CrossRatio::Constant(ratio) => Ok(ratio.clone()),
-            CrossRatio::Along(ratio) => ratio.at(&node()?),
+            CrossRatio::Along(ratio) => ratio.at(&node(self.direction, i)),
             CrossRatio::Over(ratio) => match (S::DIRECTIONS.len(), self.direction) {
                 (1, _) => Err(ShapeError::OtherParameters.into()),
-                (_, Direction::U) => ratio.at(&node()?, &shape.space_along(Direction::V).node(row)?),
-                (_, Direction::V) => ratio.at(&shape.space_along(Direction::U).node(row)?, &node()?),
+                (_, Direction::U) => ratio.at(&node(Direction::U, i), &node(Direction::V, row)),
+                (_, Direction::V) => ratio.at(&node(Direction::U, row), &node(Direction::V, i)),
             },
         }
     }

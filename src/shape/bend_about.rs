@@ -13,7 +13,7 @@ use crate::error::shape::ShapeError;
 use crate::rational::spline::{NurbsCurve, NurbsSurface};
 use crate::roots::RootValue;
 use crate::scalar::Scalar;
-use crate::shape::root::{distance, divided, root, size};
+use crate::shape::root::{distance, divided, root, size, sure_dot};
 use crate::spline::Curve;
 use crate::tensor::spline::Surface;
 use crate::vector::dot;
@@ -76,15 +76,17 @@ pub struct Sphere<T, const N: usize> {
 }
 
 impl<T: Scalar, const N: usize> Bendable<T, N> for Sphere<T, N> {
-    /// The roots of `a s² + 2 b s + c`.
+    /// The roots of `a s² + 2 b s + c`, with a quarter of the discriminant as `a (r² - h²)`, where `h` is the distance of the line from
+    /// the centre: that cancels less than `b² - a c` far from the sphere.
     fn share(&self, centre: &SVector<T, N>, point: &SVector<T, N>) -> Result<Option<T>> {
         let way = point.minus(centre);
         let length = size(&way);
         let (way, off) = (divided(&way, &length), divided(&centre.minus(&self.centre), &length));
         let radius = self.radius.clone() / &length;
         let (a, b) = (way.squared_size(), dot(&way, &off));
-        let c = off.squared_size() - radius.clone() * radius;
-        let square = b.clone() * &b - a.clone() * &c;
+        let c = off.squared_size() - radius.clone() * &radius;
+        let height = off.plus_scaled(&(-(b.clone() / &a)), &way);
+        let square = a.clone() * (radius.clone() * radius - height.squared_size());
         if square < T::zero() {
             return Ok(None);
         }
@@ -110,10 +112,17 @@ pub struct Flat<T, const N: usize> {
 impl<T: Scalar, const N: usize> Bendable<T, N> for Flat<T, N> {
     fn share(&self, centre: &SVector<T, N>, point: &SVector<T, N>) -> Result<Option<T>> {
         let normal = divided(&self.normal, &size(&self.normal));
-        let rate = dot(&point.minus(centre), &normal);
+        let rate = sure_dot(&point.minus(centre), &normal);
         let height = dot(&self.origin.minus(centre), &normal);
         Ok(if rate.is_zero() { None } else { nearest([height / rate]) })
     }
+}
+
+/// The shares at the ends of a part of the ray that is on the bend curve, and 1 if that is in between.
+fn overlap<T: Scalar>(ends: [T; 2]) -> impl Iterator<Item = T> {
+    let one = T::one();
+    let between = (ends[0] < one && one < ends[1]) || (ends[1] < one && one < ends[0]);
+    ends.into_iter().chain(between.then_some(one))
 }
 
 /// The shares at which a ray meets a curve; over an exact field those in it.
@@ -135,7 +144,9 @@ fn curve_share<T: Certified, B: Crossings<T, 2>>(
                 let middle = start.clone() + (end.clone() - start) / T::int(2);
                 shares.push((share(&middle)?, !T::EXACT));
             }
-            Place::Along(start, end) => shares.extend([(share(start)?, true), (share(end)?, true)]),
+            Place::Along(start, end) => {
+                shares.extend(overlap([share(start)?, share(end)?]).map(|share| (share, true)));
+            }
         }
     }
     let best = nearest(shares.iter().map(|(s, _)| s.clone()));
@@ -168,8 +179,8 @@ fn surface_share(
 ) -> Result<Option<f64>> {
     let way = point - centre;
     let found = meet(&way, &(TOLERANCE * distance(&way)?))?;
-    let ends = found.overlaps.iter().flat_map(|overlap| [overlap.along.0, overlap.along.1]);
-    Ok(nearest(found.meetings.iter().map(|meeting| meeting.along).chain(ends)))
+    let along = found.overlaps.iter().flat_map(|part| overlap([part.along.0, part.along.1]));
+    Ok(nearest(found.meetings.iter().map(|meeting| meeting.along).chain(along)))
 }
 
 impl Bendable<f64, 3> for Surface<f64, 3> {

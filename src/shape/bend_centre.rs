@@ -72,8 +72,8 @@ const STEPS: usize = 100;
 
 /// The axis `O(w) = S(u_c, w) + d N(u_c, w)` at a distance from an isocurve, with `N` the unit normal [NURBS, (11.62)].
 ///
-/// The nearest point of the axis is looked for between the samples around the nearest one: eight a span, which takes the axis to be
-/// well-behaved, not proved.
+/// The nearest point of the axis is looked for between the samples around the nearest one, at an end of the axis at the other end
+/// too, where a closed one goes on: eight a span, which takes the axis to be well-behaved, not proved.
 #[derive(Clone, Debug)]
 pub struct OffsetAxis<S> {
     surface: S,
@@ -93,8 +93,12 @@ where
     /// is `at`.
     ///
     /// # Errors
-    /// [`Error::OutsideDomain`]; [`Error::NoNormal`] if the surface has none somewhere on the isocurve.
+    /// [`Error::OutsideDomain`]; [`Error::NotFinite`] for the offset; [`Error::NoNormal`] if the surface has none somewhere on the
+    /// isocurve.
     pub fn new(surface: &S, direction: Direction, at: f64, offset: f64) -> Result<Self> {
+        if !offset.is_finite() {
+            return Err(Error::NotFinite { what: "offset", index: 0 });
+        }
         let across = match direction {
             Direction::U => Direction::V,
             Direction::V => Direction::U,
@@ -157,8 +161,9 @@ where
         let count = self.samples.len();
         let best = (0..count).min_by(|j, k| off(j).total_cmp(&off(k))).ok_or(Error::NoLength)?;
         let mut nearest = self.samples[best].1;
-        let around = [(best.wrapping_sub(1), best), (best, best + 1)];
-        for (low, high) in around.into_iter().filter(|(low, high)| *low < count && *high < count) {
+        // A domain has a span, and so two samples.
+        let around = if best == 0 || best + 1 == count { [0, count - 2] } else { [best - 1, best] };
+        for (low, high) in around.map(|low| (low, low + 1)) {
             if let Some(found) = self.foot_between(point, self.samples[low].0, self.samples[high].0)?
                 && (found - point).norm() < (nearest - point).norm()
             {

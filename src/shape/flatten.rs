@@ -12,6 +12,7 @@ use crate::scalar::Scalar;
 use crate::shape::controlled::Controlled;
 use crate::shape::flatten_region::{Part, in_polygon};
 use crate::shape::onto::{Onto, Side};
+use crate::shape::polygon::check_finite;
 use crate::shape::region::Refinement;
 use crate::shape::supports::Supports;
 use crate::tensor::along::Direction;
@@ -151,8 +152,8 @@ impl<T: Scalar, const N: usize> Flatten<T, N> {
         Self { refinement: Some(refinement), ..self }
     }
 
-    /// Refuses a result without a flat part, after halving spans near projected control points as long as there are no more
-    /// than `most` control points.
+    /// Refuses a result that is flat nowhere in the part, if one is given, and where control points were projected, after halving
+    /// spans near those as long as there are no more than `most` control points.
     pub fn until_flat(self, most: usize) -> Self {
         Self { limit: Some(most), ..self }
     }
@@ -163,7 +164,8 @@ impl<T: Scalar, const N: usize> Flatten<T, N> {
     /// [`ShapeError::OtherParameters`] for a part of the wrong kind; [`ShapeError::NoSides`] if a rule needs a plane and there
     /// is a line in space; [`ShapeError::NoDirection`]; [`ShapeError::NotFlat`]; [`Error::OutsideDomain`] or
     /// [`Error::EmptyDomain`] for a part that is not in the domain; [`Error::Weight`]; [`Error::NotFinite`] on overflow; those
-    /// of [`Refinement`].
+    /// of [`Refinement`]; [`Error::TooFewPoints`] for a polygon of fewer than three corners; [`Error::BadTolerance`] for the radius of
+    /// a ball that is negative or not finite.
     pub fn apply<S: Controlled<T, Point = SVector<T, N>>>(&self, shape: &S) -> Result<Flattened<T, S>> {
         let bounds = self.bounds(shape)?;
         self.check()?;
@@ -175,8 +177,10 @@ impl<T: Scalar, const N: usize> Flatten<T, N> {
         }
         loop {
             let attempt = self.attempt(&current)?;
-            let Some(limit) = self.limit.filter(|_| attempt.flat.is_empty()) else { return Ok(attempt) };
             let supports = Supports::of(&current);
+            let Some(limit) = self.limit.filter(|_| !self.is_done(&attempt, &supports)) else {
+                return Ok(attempt);
+            };
             let mut finer = current.clone();
             for (k, direction) in S::DIRECTIONS.iter().enumerate() {
                 let knots = middles(&supports.spans_of(k, &attempt.projected), &bounds[k]);
@@ -190,6 +194,16 @@ impl<T: Scalar, const N: usize> Flatten<T, N> {
         }
     }
 
+    /// Whether something is flat where it should be, and by the projections if there are any.
+    fn is_done<S>(&self, attempt: &Flattened<T, S>, supports: &Supports<T>) -> bool {
+        attempt.flat.iter().any(|flat| {
+            let other = || (T::zero(), T::one());
+            let extent = [flat[0].clone(), flat.get(1).cloned().unwrap_or_else(other)];
+            let wanted = self.reach.part().is_none_or(|part| part.meets(&extent));
+            wanted && (attempt.projected.is_empty() || supports.reach_into(&attempt.projected, &extent))
+        })
+    }
+
     /// From where to where knots may be inserted, direction by direction.
     fn bounds<S: Controlled<T>>(&self, shape: &S) -> Result<Vec<(T, T)>> {
         let domain = |d: &Direction| {
@@ -199,6 +213,12 @@ impl<T: Scalar, const N: usize> Flatten<T, N> {
         let Some(part) = self.reach.part() else { return Ok(S::DIRECTIONS.iter().map(domain).collect()) };
         if matches!(part, Part::Interval(..)) != (S::DIRECTIONS.len() == 1) {
             return Err(ShapeError::OtherParameters.into());
+        }
+        if let Part::Polygon(corners) = part
+            && !corners.is_empty()
+        {
+            enough(corners.len())?;
+            check_finite(&corners.iter().cloned().map(<(T, T)>::from).collect::<Vec<_>>())?;
         }
         let named = matches!(part, Part::Interval(..) | Part::Rectangle(..));
         let extent = part.bounds().ok_or(ShapeError::OtherParameters)?;
@@ -228,16 +248,27 @@ impl<T: Scalar, const N: usize> Flatten<T, N> {
             self.onto.normal()?;
         }
         for rule in &self.accept {
-            if let Accept::Between(a, b) = rule
-                && a == b
-            {
-                return Err(ShapeError::NoDirection { what: "segment" }.into());
+            match rule {
+                Accept::Between(a, b) if a == b => {
+                    return Err(ShapeError::NoDirection { what: "segment" }.into());
+                }
+                Accept::Between(a, b) => all_finite("segment", [a, b])?,
+                Accept::Polygon(corners) => {
+                    enough(corners.len())?;
+                    all_finite("corner", corners)?;
+                }
+                Accept::Ball(centre, radius) => {
+                    all_finite("centre", [centre])?;
+                    if !radius.is_finite() || *radius < T::zero() {
+                        return Err(Error::BadTolerance { tolerance: radius.to_string() });
+                    }
+                }
             }
         }
         if self.fronts.iter().any(|(_, normal)| normal.vanishes()) {
             return Err(ShapeError::NoDirection { what: "normal" }.into());
         }
-        Ok(())
+        all_finite("plane", self.fronts.iter().flat_map(|(origin, normal)| [origin, normal]))
     }
 
     /// Whether a control point is one to project, by its place.
@@ -300,6 +331,22 @@ impl<T: Scalar, const N: usize> Flatten<T, N> {
         let mut shape = shape.clone();
         shape.move_points(&moves)?;
         Ok(Flattened { shape, projected, flat: supports.covered(&on), changed })
+    }
+}
+
+/// Refuses polygons of fewer than three corners.
+fn enough(found: usize) -> Result<()> {
+    if found < 3 { Err(Error::TooFewPoints { expected: 3, found }) } else { Ok(()) }
+}
+
+/// Refuses vectors that are not finite.
+fn all_finite<'a, T: Scalar, const N: usize>(
+    what: &'static str,
+    vectors: impl IntoIterator<Item = &'a SVector<T, N>>,
+) -> Result<()> {
+    match vectors.into_iter().position(|v| !v.all_finite()) {
+        Some(index) => Err(Error::NotFinite { what, index }),
+        None => Ok(()),
     }
 }
 

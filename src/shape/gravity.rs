@@ -61,8 +61,8 @@ impl<T: Scalar> Gravity<T> {
     /// The field of radius `radius` around polylines. One of a single point is a disc.
     ///
     /// # Errors
-    /// [`Error::TooFewPoints`] for a polyline without points; [`Error::NotFinite`]; [`Error::BadTolerance`] unless the
-    /// radius is finite with its square, and not negative.
+    /// [`Error::TooFewPoints`] for a polyline without points; [`Error::NotFinite`] for a corner, or a leg; [`Error::BadTolerance`]
+    /// unless the radius is finite with its square, and not negative, and its square vanishes with it alone.
     pub fn new<I: IntoIterator<Item = (T, T)>>(
         polylines: impl IntoIterator<Item = I>,
         radius: T,
@@ -73,9 +73,17 @@ impl<T: Scalar> Gravity<T> {
             if line.is_empty() {
                 return Err(Error::TooFewPoints { expected: 1, found: 0 });
             }
+            let is_long = |pair: &[(T, T)]| {
+                let (x, y) = (pair[1].0.clone() - &pair[0].0, pair[1].1.clone() - &pair[0].1);
+                !(x.is_finite() && y.is_finite())
+            };
+            if let Some(index) = line.windows(2).position(is_long) {
+                return Err(Error::NotFinite { what: "leg", index });
+            }
         }
         let squared_radius = radius.clone() * &radius;
-        if radius < T::zero() || !squared_radius.is_finite() {
+        let vanishes = squared_radius.is_zero() && !radius.is_zero();
+        if radius < T::zero() || !squared_radius.is_finite() || vanishes {
             return Err(Error::BadTolerance { tolerance: radius.to_string() });
         }
         Ok(Self { polylines, squared_radius })

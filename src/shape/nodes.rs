@@ -109,6 +109,20 @@ impl<T: Scalar> SplineSpace<T> {
         }
     }
 
+    /// Node `i`, in a ring brought into the domain; of an unclamped space not beyond its ends.
+    pub(crate) fn node_inside(&self, i: usize) -> T {
+        let ((a, b), mut node) = (self.domain(), self.mean_of_knots(i));
+        // More than once in rings of less than p coefficients.
+        while self.is_periodic() && node < *a {
+            node += self.length();
+        }
+        while self.is_periodic() && node > *b {
+            node -= self.length();
+        }
+        let node = larger(node, a.clone());
+        if node > *b { b.clone() } else { node }
+    }
+
     /// The coefficient whose node is nearest to `x`, wherever it has influence; its place in the list.
     pub(crate) fn coeff_at_node(&self, x: &T) -> usize {
         let (mut low, mut high) = (0, self.unrolled_dim() - 1);

@@ -7,10 +7,10 @@
 //! A line in the plane is a plane there: `α = (Q - P) × D / (W × D)` [NURBS, section 11.4.2].
 
 use crate::coeff::Coeff;
-use crate::error::Result;
 use crate::error::shape::ShapeError;
+use crate::error::{Error, Result};
 use crate::scalar::Scalar;
-use crate::shape::root::{divided, size};
+use crate::shape::root::{divided, size, sure_dot};
 use crate::vector::dot;
 use nalgebra::{SVector, vector};
 
@@ -58,13 +58,21 @@ fn paired<T: Scalar, const N: usize>(
             return Err(ShapeError::NoDirection { what }.into());
         }
     }
-    let rate = dot(&v, &w);
-    if rate.is_finite() && !rate.is_zero() {
-        return Ok((v, w, rate));
-    }
-    let (v, w) = (divided(&v, &size(&v)), divided(&w, &size(&w)));
-    let rate = dot(&v, &w);
+    let most = T::int(1 << 60);
+    let is_moderate = |x: &T| *x <= most && T::one() <= x.clone() * &most;
+    let moderate = |v: SVector<T, N>| match size(&v) {
+        x if is_moderate(&x) => v,
+        x => divided(&v, &x),
+    };
+    // So that no product overflows or vanishes.
+    let (v, w) = (moderate(v), moderate(w));
+    let rate = sure_dot(&v, &w);
     if rate.is_zero() { Err(ShapeError::ParallelProjection.into()) } else { Ok((v, w, rate)) }
+}
+
+/// Refuses an origin that is not finite.
+fn check_origin<T: Scalar, const N: usize>(origin: &SVector<T, N>) -> Result<()> {
+    if origin.all_finite() { Ok(()) } else { Err(Error::NotFinite { what: "origin", index: 0 }) }
 }
 
 /// `v` turned left by a right angle.
@@ -76,7 +84,7 @@ impl<T: Scalar> Onto<T, 2> {
     /// The line through `origin` in `direction`, reached at a right angle.
     ///
     /// # Errors
-    /// [`ShapeError::NoDirection`].
+    /// [`ShapeError::NoDirection`]; [`Error::NotFinite`] for the origin.
     pub fn line(origin: SVector<T, 2>, direction: SVector<T, 2>) -> Result<Self> {
         let normal = left(&direction);
         Self::line_along(origin, direction, normal)
@@ -85,7 +93,7 @@ impl<T: Scalar> Onto<T, 2> {
     /// The line through `origin` in `direction`, reached along `along`.
     ///
     /// # Errors
-    /// [`ShapeError::NoDirection`]; [`ShapeError::ParallelProjection`].
+    /// [`ShapeError::NoDirection`]; [`ShapeError::ParallelProjection`]; [`Error::NotFinite`] for the origin.
     pub fn line_along(origin: SVector<T, 2>, direction: SVector<T, 2>, along: SVector<T, 2>) -> Result<Self> {
         Self::across(origin, [("line", left(&direction)), ("projection", along)])
     }
@@ -95,7 +103,7 @@ impl<T: Scalar> Onto<T, 3> {
     /// The plane through `origin` across `normal`, reached at a right angle.
     ///
     /// # Errors
-    /// [`ShapeError::NoDirection`].
+    /// [`ShapeError::NoDirection`]; [`Error::NotFinite`] for the origin.
     pub fn plane(origin: SVector<T, 3>, normal: SVector<T, 3>) -> Result<Self> {
         Self::plane_along(origin, normal.clone(), normal)
     }
@@ -103,7 +111,7 @@ impl<T: Scalar> Onto<T, 3> {
     /// The plane through `origin` across `normal`, reached along `along`.
     ///
     /// # Errors
-    /// [`ShapeError::NoDirection`]; [`ShapeError::ParallelProjection`].
+    /// [`ShapeError::NoDirection`]; [`ShapeError::ParallelProjection`]; [`Error::NotFinite`] for the origin.
     pub fn plane_along(origin: SVector<T, 3>, normal: SVector<T, 3>, along: SVector<T, 3>) -> Result<Self> {
         Self::across(origin, [("normal", normal), ("projection", along)])
     }
@@ -111,7 +119,7 @@ impl<T: Scalar> Onto<T, 3> {
     /// The line in space through `origin` in `direction`, reached at a right angle.
     ///
     /// # Errors
-    /// [`ShapeError::NoDirection`].
+    /// [`ShapeError::NoDirection`]; [`Error::NotFinite`] for the origin.
     pub fn space_line(origin: SVector<T, 3>, direction: SVector<T, 3>) -> Result<Self> {
         Self::space_line_within(origin, direction.clone(), direction)
     }
@@ -119,12 +127,13 @@ impl<T: Scalar> Onto<T, 3> {
     /// The line in space through `origin` in `direction`, reached within planes across `normal`.
     ///
     /// # Errors
-    /// [`ShapeError::NoDirection`]; [`ShapeError::ParallelProjection`].
+    /// [`ShapeError::NoDirection`]; [`ShapeError::ParallelProjection`]; [`Error::NotFinite`] for the origin.
     pub fn space_line_within(
         origin: SVector<T, 3>,
         direction: SVector<T, 3>,
         normal: SVector<T, 3>,
     ) -> Result<Self> {
+        check_origin(&origin)?;
         let (direction, across, rate) = paired([("line", direction), ("normal", normal)])?;
         Ok(Self { origin, kind: Kind::Line { direction, across, rate } })
     }
@@ -132,6 +141,7 @@ impl<T: Scalar> Onto<T, 3> {
 
 impl<T: Scalar, const N: usize> Onto<T, N> {
     fn across(origin: SVector<T, N>, pair: [(&'static str, SVector<T, N>); 2]) -> Result<Self> {
+        check_origin(&origin)?;
         let (normal, along, rate) = paired(pair)?;
         Ok(Self { origin, kind: Kind::Plane { normal, along, rate } })
     }
@@ -178,7 +188,6 @@ impl<T: Scalar, const N: usize> Onto<T, N> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::error::Error;
 
     #[test]
     fn zero_and_parallel_vectors_are_refused() {
@@ -196,6 +205,24 @@ mod tests {
             Onto::space_line(up(), up()).unwrap().height(&up()).unwrap_err(),
             ShapeError::NoSides.into()
         );
+    }
+
+    /// Over floats what is parallel but for rounding is parallel.
+    #[test]
+    fn nearly_parallel_is_refused() {
+        for i in 1..1000 {
+            let s = f64::from(i);
+            let (flat, plane) = (vector![s.sin(), (1.3 * s).cos()], vector![s.cos(), s.sin(), 0.0]);
+            assert!(Onto::line_along(zero2(), flat, flat * (0.1 * s)).is_err(), "{i}");
+            let along = vector![-plane[1], plane[0], 0.0] * (0.3 * s) + vector![0.0, 0.0, 1.0];
+            assert!(Onto::plane_along(plane, plane, along).is_err(), "{i}");
+        }
+        let almost = Onto::line_along(zero2(), vector![1.0, 1.0], vector![1.0, 1.0 + 1e-12]).unwrap();
+        assert!((almost.projected(&vector![0.0, 1e-12]) + vector![1.0, 1.0]).norm() < 1e-3);
+    }
+
+    fn zero2() -> SVector<f64, 2> {
+        vector![0.0, 0.0]
     }
 
     #[test]

@@ -140,10 +140,12 @@ impl<T: Scalar> Refinement<T> {
 }
 
 impl<T: Scalar> SplineSpace<T> {
-    /// The coefficients whose basis functions have their supports in `[start, end]`, which are knots: `s ..= e - p - 1`, with `t_s` the first
-    /// copy of `start` and `t_e` the last one of `end` [NURBS, (11.40)].
+    /// The coefficients without influence in the domain outside `[start, end]`, which are knots: `s ..= e - p - 1`, with `t_s`
+    /// the first copy of `start` and `t_e` the last one of `end` [NURBS, (11.40)].
     ///
-    /// In a periodic space they are unrolled indices; [`slot`](Self::slot) gives their places.
+    /// What is beyond the ends of the domain does not count: where the interval ends with an unclamped space, so do the
+    /// coefficients. In a periodic space they are unrolled indices; [`slot`](Self::slot) gives their places. There the seam
+    /// lets nothing through, but the whole domain has all coefficients: those with their nodes in it.
     ///
     /// # Errors
     /// [`Error::OutsideDomain`]; [`ShapeError::NoKnot`] if an end is none.
@@ -154,6 +156,8 @@ impl<T: Scalar> SplineSpace<T> {
     /// let space = SplineSpace::clamped(2, [0.0, 1.0, 2.0, 3.0, 4.0, 5.0])?;
     /// assert_eq!(space.local_coeffs(&1.0, &5.0)?, 3..7);
     /// assert_eq!(space.local_coeffs(&1.0, &3.0)?, 3..3);
+    /// let unclamped = SplineSpace::new(2, (0..9).map(f64::from))?;
+    /// assert_eq!(unclamped.local_coeffs(&2.0, &4.0)?, 0..2);
     /// # Ok::<(), symspline::Error>(())
     /// ```
     pub fn local_coeffs(&self, start: &T, end: &T) -> Result<Range<usize>> {
@@ -166,8 +170,14 @@ impl<T: Scalar> SplineSpace<T> {
                 return Err(ShapeError::NoKnot { value: knot.to_string() }.into());
             }
         }
-        let unrolled = t.len() - self.degree() - 1;
-        let end = past.saturating_sub(self.degree() + 1).min(unrolled);
+        let (at_start, at_end) = (start == self.domain().0, end == self.domain().1);
+        if self.is_periodic() && at_start && at_end {
+            let first = (0..self.degree()).take_while(|i| self.mean_of_knots(*i) < *start).count();
+            return Ok(first..first + self.dim());
+        }
+        let first = if at_start && !self.is_periodic() { 0 } else { first };
+        let past = if at_end && !self.is_periodic() { t.len() } else { past };
+        let end = past.saturating_sub(self.degree() + 1);
         Ok(first..end.max(first))
     }
 
@@ -199,6 +209,7 @@ impl<T: Scalar> SplineSpace<T> {
     pub fn removable_knots(&self, start: &T, end: &T, keep: Keep) -> Result<Range<usize>> {
         let local = self.local_coeffs(start, end)?;
         let (t, p, (a, b)) = (self.knots(), self.degree(), self.domain());
+        let all = local.len() == self.dim();
         let mut range: Option<Range<usize>> = None;
         let mut first = t.partition_point(|k| k <= a);
         while t[first] < *b {
@@ -209,7 +220,7 @@ impl<T: Scalar> SplineSpace<T> {
                 Keep::Left => (equations + 1).div_ceil(2),
                 Keep::Right => equations.div_ceil(2),
             };
-            if local.contains(&(first + copies + dropped - p - 2)) {
+            if all || local.contains(&(first + copies + dropped - p - 2)) {
                 range = Some(range.map_or(first, |range| range.start)..first + copies);
             }
             first += copies;

@@ -3,7 +3,9 @@
 use crate::coeff::Coeff;
 use crate::error::Result;
 use crate::error::shape::ShapeError;
+use crate::ops::bound::epsilon;
 use crate::scalar::{Scalar, larger};
+use crate::vector::dot;
 use nalgebra::SVector;
 
 /// The square root: over `f64` to about a rounding, over an exact field if it is there.
@@ -32,6 +34,17 @@ pub(crate) fn divided<T: Scalar, const N: usize>(v: &SVector<T, N>, by: &T) -> S
     let mut v = v.clone();
     Coeff::divide(&mut v, by);
     v
+}
+
+/// The product of two vectors; over inexact fields zero where it is no more than their rounding.
+pub(crate) fn sure_dot<T: Scalar, const N: usize>(v: &SVector<T, N>, w: &SVector<T, N>) -> T {
+    let product = dot(v, w);
+    if T::EXACT {
+        return product;
+    }
+    let terms = v.iter().zip(w.iter()).fold(T::zero(), |sum, (x, y)| sum + (x.clone() * y).magnitude());
+    let noise = terms * epsilon::<T>() * T::int(N as i64 + 2);
+    if product.magnitude() <= noise { T::zero() } else { product }
 }
 
 /// The length of a vector.

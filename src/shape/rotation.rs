@@ -3,15 +3,18 @@
 //! The rotation that takes the direction of `v` to that of `w` is two reflections, `x -> x - 2 (x·n) / (n·n) n`:
 //!
 //! ```text
-//! n_1 = ρ v + w,  n_2 = w      with ρ = |w| / |v|
+//! n_1 = ρ v + w,  n_2 = w                        for v·w >= 0, with ρ = |w| / |v|
+//! n_1 = ρ v - w,  n_2 = v - (v·w) / (w·w) w      otherwise
 //! ```
-//! The first takes `ρ v` to `-w`, the second turns that about; what is across both vectors stays. So `ρ` alone has to be
-//! in the field, in the plane and in space. Half a turn has no least axis in space: then `n_1 = v`, and `n_2` is the part across `v`
-//! of the coordinate axis that `v` leans to least.
+//! The first takes `ρ v` to `-w`, and the second turns that about; or the first takes `ρ v` to `w`, and the second leaves that
+//! where it is. What is across both vectors stays. So `ρ` alone has to be in the field, in the plane and in space, and no
+//! `n_1` cancels. Half a turn has no least axis in space: then `n_2` is the part across `w` of the coordinate axis that `w` leans
+//! to least. Over inexact fields so it is where `n_2` is no more than rounding.
 
 use crate::coeff::Coeff;
 use crate::error::Result;
-use crate::scalar::Scalar;
+use crate::ops::bound::epsilon;
+use crate::scalar::{Scalar, larger};
 use crate::shape::root::{divided, root, size};
 use crate::vector::dot;
 use nalgebra::SVector;
@@ -51,17 +54,14 @@ impl<T: Scalar, const N: usize> Rotation<T, N> {
         }
         let [from, to] = [from, to].map(|v| divided(v, &size(v)));
         let ratio = root(&(to.squared_size() / from.squared_size()))?;
-        let middle = to.plus_scaled(&ratio, &from);
-        let mirrors = if middle.vanishes() {
-            let across = across(&from);
-            if across.vanishes() {
-                return Ok(Self::none());
-            }
-            [from, across]
-        } else {
-            [divided(&middle, &size(&middle)), to]
-        };
-        Ok(Self { mirrors: Some(mirrors) })
+        if dot(&from, &to) >= T::zero() {
+            let middle = to.plus_scaled(&ratio, &from);
+            return Ok(Self { mirrors: Some([divided(&middle, &size(&middle)), to]) });
+        }
+        let difference = to.plus_scaled(&-ratio, &from);
+        // Where a line is all there is nothing is across it.
+        let mirrors = sideways(&from, &to).map(|across| [divided(&difference, &size(&difference)), across]);
+        Ok(Self { mirrors })
     }
 
     /// A vector after the rotation.
@@ -88,11 +88,24 @@ fn reflected<T: Scalar, const N: usize>(v: &SVector<T, N>, normal: &SVector<T, N
     v.plus_scaled(&(T::int(-2) * dot(v, normal) / normal.squared_size()), normal)
 }
 
-/// What the coordinate axis that `v` leans to least has across `v`.
-fn across<T: Scalar, const N: usize>(v: &SVector<T, N>) -> SVector<T, N> {
-    let least = (1..N).fold(0, |k, i| if v[i].magnitude() < v[k].magnitude() { i } else { k });
+/// The part of `v` that is across `w`.
+fn across<T: Scalar, const N: usize>(v: &SVector<T, N>, w: &SVector<T, N>) -> SVector<T, N> {
+    v.plus_scaled(&(-(dot(v, w) / w.squared_size())), w)
+}
+
+/// The direction in which `v` is across `w`, both not far from one in size; where it is not, that of the coordinate axis that
+/// `w` leans to least. None on a line.
+fn sideways<T: Scalar, const N: usize>(v: &SVector<T, N>, w: &SVector<T, N>) -> Option<SVector<T, N>> {
+    let largest = |v: &SVector<T, N>| v.iter().map(T::magnitude).fold(T::zero(), larger);
+    let noise = if T::EXACT { T::zero() } else { T::int(16) * epsilon::<T>() * largest(v) };
+    let side = across(v, w);
+    if largest(&side) > noise {
+        // Once more, for what rounding left along `w`.
+        return Some(across(&divided(&side, &size(&side)), w));
+    }
+    let least = (1..N).fold(0, |k, i| if w[i].magnitude() < w[k].magnitude() { i } else { k });
     let axis: SVector<T, N> = SVector::from_fn(|i, _| if i == least { T::one() } else { T::zero() });
-    axis.plus_scaled(&(-(v[least].clone() / v.squared_size())), v)
+    (N > 1).then(|| across(&axis, w))
 }
 
 #[cfg(test)]
@@ -126,6 +139,22 @@ mod tests {
                     assert!((u.dot(v) - f64::from(u8::from(i == j))).abs() < 1e-14, "{e}");
                 }
             }
+        }
+    }
+
+    #[test]
+    fn rotations_near_half_a_turn_arrive() {
+        for i in 1..200 {
+            let s = f64::from(i);
+            let from = vector![s.sin(), (1.7 * s).cos(), (0.3 * s).sin()];
+            for e in [0.0, 1e-16, 1e-14, 1e-10, 1e-6, 1e-2] {
+                let to = from * -s.cos().abs() + vector![0.3, -0.2, 0.1] * e;
+                let image = Rotation::between(&from, &to).unwrap().of(&from);
+                assert!((image.normalize() - to.normalize()).norm() < 1e-14, "{i} {e}");
+            }
+            let from = from.xy();
+            let turn = Rotation::between(&from, &(from * -s.cos().abs())).unwrap();
+            assert!((turn.of(&vector![3.0, 4.0]) + vector![3.0, 4.0]).norm() < 1e-13, "{i}");
         }
     }
 

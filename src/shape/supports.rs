@@ -74,6 +74,12 @@ impl<T: Scalar> Supports<T> {
         self.extents(flat).any(|extent| part.meets(&extent))
     }
 
+    /// Whether any of some control points has influence in a rectangle.
+    pub(crate) fn reach_into(&self, flats: &[usize], extent: &Extent<T>) -> bool {
+        let meets = |of: &Extent<T>| (0..2).all(|k| of[k].0 < extent[k].1 && extent[k].0 < of[k].1);
+        flats.iter().any(|flat| self.extents(*flat).any(|of| meets(&of)))
+    }
+
     /// The least rectangle that holds the influence of some control points, by direction.
     pub(crate) fn around(&self, flats: impl IntoIterator<Item = usize>) -> Option<Vec<(T, T)>> {
         let join = |a: Extent<T>, b: Extent<T>| {

@@ -129,13 +129,12 @@ impl<T: Scalar, C: Coeff<T>> TensorSpline<T, C> {
         };
         let (t, p) = (space.knots(), space.degree());
         let period = space.is_periodic().then(|| space.length());
-        let across = Zone::<T, C> { start: other.0.clone(), end: other.1.clone(), beyond: &|_| T::zero() };
+        let across = Zone::<T, C>::of(space, other, &|_| T::zero());
         let reaches_out: Vec<bool> =
             (0..space.dim()).map(|j| !across.holds((&t[j], &t[j + p + 1]), period.as_ref())).collect();
         let beyond =
             |row: &Row<C>| largest(row.iter().zip(&reaches_out).filter(|(_, out)| **out).map(|(c, _)| c));
-        let zone = Zone { start: own.0.clone(), end: own.1.clone(), beyond: &beyond };
-        self.approximated_along(direction, |rows| rows.thinned_in(tolerance, &zone))
+        self.approximated_along(direction, |rows| rows.thinned_in(tolerance, own, &beyond))
     }
 
     /// The same surface with the lowest degrees, and the fewest knots of those degrees, as [`Spline::simplified`].

@@ -61,6 +61,7 @@ mod repeated;
 mod nearest_scale;
 mod closed;
 mod shape_flatten;
+mod shape_flatten_cases;
 mod shape_bend;
 mod shape_bend_cases;
 mod shape_weights;

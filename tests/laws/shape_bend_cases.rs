@@ -55,7 +55,8 @@ fn what_cannot_be_bent_is_refused() {
     let bend = |o: Point<2>, ratio: i64| Bend::new(o, Round(Q::int(1)), Q::int(ratio));
     assert_eq!(on(bend(q2(4, 3), 1)), ShapeError::AtCentre { index: 4 }.into());
     assert!(matches!(on(bend(q2(4, 0), 1)), Error::Shape(ShapeError::NoRoot { .. })));
-    assert!(matches!(on(bend(q2(-5, 3), -1)), Error::Shape(ShapeError::BeyondInfinity { .. })));
+    let beyond = ShapeError::BeyondInfinity { index: 3, ratio: "-1".into(), share: "1/8".into() };
+    assert_eq!(on(bend(q2(-5, 3), -1)), beyond.into());
     let flat = Flat { origin: q2(0, 0), normal: q2(0, 1) };
     let above = Bend::new(q2(0, 1), flat, Q::int(1)).on(Q::int(1), Q::int(5)).apply(&line);
     assert_eq!(above.unwrap_err(), ShapeError::NoBendPoint { index: 3 }.into());
@@ -186,4 +187,66 @@ fn extreme_sizes_give_values_or_refusals() {
         let flat = Flat { origin: centre * 0.5, normal: vector![0.0, size] };
         assert!(Bend::new(centre, flat, 1.0).on(0.125, 0.875).apply(&line).is_ok());
     }
+}
+
+/// On a closed surface the axis goes on over the seam.
+#[test]
+fn closed_axes_have_no_ends() {
+    let (u, v) = (
+        SplineSpace::bezier(1, 0.0, 1.0).unwrap(),
+        SplineSpace::periodic(3, (0..8).map(f64::from), 8.0).unwrap(),
+    );
+    let round = |z: f64| {
+        (0..8)
+            .map(move |j| (f64::from(j) * std::f64::consts::FRAC_PI_4).sin_cos())
+            .map(move |(y, x)| vector![x, y, z])
+    };
+    let tube = Surface::new(u, v, round(0.0).chain(round(1.0)).collect()).unwrap();
+    let axis = OffsetAxis::new(&tube, Direction::U, 0.5, 0.1).unwrap();
+    for i in 0..100 {
+        let (y, x) = (0.02 + f64::from(i) / 100.0 * std::f64::consts::TAU).sin_cos();
+        let point = vector![3.0 * x, 3.0 * y, 0.7];
+        let off = (axis.centre_of(&point).unwrap() - point).norm();
+        let places = (0..=8000).map(|k| (axis.point(f64::from(k) / 1000.0).unwrap() - point).norm());
+        assert!(off <= places.fold(f64::INFINITY, f64::min) + 1e-12, "{i}");
+    }
+    assert!(matches!(OffsetAxis::new(&tube, Direction::U, 0.5, f64::NAN), Err(Error::NotFinite { .. })));
+}
+
+/// A bend curve along the ray holds the point, if it goes beyond it.
+#[test]
+fn points_on_what_is_bent_about_stay() {
+    let edge =
+        Curve::new(SplineSpace::bezier(1, Q::int(0), Q::int(1)).unwrap(), vec![q2(1, 0), q2(5, 0)]).unwrap();
+    for (x, share) in [(3, Q::int(1)), (-3, Q::int(-1)), (10, Q::frac(1, 2)), (1, Q::int(1))] {
+        let found = edge.share(&q2(0, 0), &q2(x, 0)).unwrap();
+        assert_eq!(found, (share > Q::int(0)).then_some(share), "{x}");
+    }
+}
+
+/// Far from the sphere, and along a plane.
+#[test]
+fn shares_lose_little_to_rounding() {
+    let ball = Sphere { centre: vector![1e6, 0.3], radius: 0.5 };
+    for (x, met) in [(1e6 - 1.0, -0.4), (1e6 + 1.0, 0.4)] {
+        let share = ball.share(&vector![0.0, 0.0], &vector![x, 0.0]).unwrap().unwrap();
+        assert!((share * x - 1e6 - met).abs() < 1e-9, "{x}");
+    }
+    let wall = Flat { origin: vector![0.0, 1.0], normal: vector![-0.3, 0.1] };
+    assert_eq!(wall.share(&vector![0.0, 0.0], &vector![0.1 * 0.7, 0.3 * 0.7]).unwrap(), None);
+}
+
+/// The whole of a ring has no ends to carry along, and none to miss.
+#[test]
+fn whole_rings_are_bent() {
+    let space = SplineSpace::periodic(2, (0..6).map(Q::int), Q::int(6)).unwrap();
+    let points = [[9, 0], [6, 6], [-6, 6], [-9, 0], [-6, -6], [6, -6]].map(|c| c.map(Q::int).into());
+    let ring = Curve::new(space, points.to_vec()).unwrap();
+    let bend = Bend::new(q2(0, 0), Flat { origin: q2(20, 0), normal: q2(1, 0) }, Q::int(1));
+    assert!(matches!(bend.apply(&ring), Err(Error::Shape(ShapeError::NoBendPoint { index: 2 }))));
+    let bend = Bend::new(q2(0, -50), Flat { origin: q2(0, 0), normal: q2(0, 1) }, Q::int(1));
+    let all = bend.apply(&ring).unwrap();
+    assert!(all.coeffs().iter().all(|c| c[1] == Q::int(0)));
+    assert_eq!(bend.clone().on(Q::int(0), Q::int(6)).apply(&ring).unwrap(), all);
+    assert_eq!(bend.on(Q::int(0), Q::int(5)).apply(&ring).unwrap_err(), ShapeError::NoEnds.into());
 }

@@ -37,12 +37,23 @@ fn tolerance() -> impl Strategy<Value = Option<Q>> {
 /// The nodes of the control points in a window, from the definition.
 fn nodes(space: &SplineSpace<Q>, (a, b): (&Q, &Q)) -> Vec<(usize, Q)> {
     let (t, p) = (space.knots(), space.degree());
-    let inside = (0..t.len() - p - 1).filter(|i| a <= &t[*i] && &t[i + p + 1] <= b);
     let mean = |i: usize| match p {
         0 => (t[i].clone() + &t[i + 1]) / Q::int(2),
         _ => t[i + 1..=i + p].iter().fold(Q::int(0), |sum, x| sum + x) / Q::int(p as i64),
     };
-    inside.map(|i| (i, (mean(i) - a) / (b.clone() - a))).collect()
+    let (first, last) = space.domain();
+    let turns = |j: usize| (j..t.len() - p - 1).step_by(space.dim());
+    let reaches_out = |i: usize| {
+        let (from, to) = (t[i].clone().max(first.clone()), t[i + p + 1].clone().min(last.clone()));
+        from < to && !(a <= &from && &to <= b)
+    };
+    // A place in the domain, if there is one.
+    let node = |j: usize| {
+        let mut nodes = turns(j).map(mean);
+        nodes.find(|x| first <= x && x <= last).unwrap_or_else(|| mean(j).clamp(first.clone(), last.clone()))
+    };
+    let free = (0..space.dim()).filter(|j| !turns(*j).any(reaches_out));
+    free.map(|j| (j, (node(j) - a) / (b.clone() - a))).collect()
 }
 
 /// Warps a shape and checks what is true of all of them. `shares` are those expected, in the order of the list of places;
@@ -467,6 +478,10 @@ fn refusals() -> symspline::Result<()> {
     assert!(matches!(Gravity::new([[(0.0, 0.0)]], -1.0), Err(Error::BadTolerance { .. })));
     assert!(matches!(Gravity::new([[(0.0, 0.0)]], 1e300), Err(Error::BadTolerance { .. })));
     let long = Gravity::new([[(-1e300, 0.0), (1e300, 0.0)]], 1.0)?;
+    assert!(matches!(Gravity::new([[(-1e308, 0.0), (1e308, 0.0)]], 1.0), Err(Error::NotFinite { .. })));
+    let twice = Gravity::new([[(0.0, 0.0), (1.0, 0.0)], [(1.0, 0.0), (0.0, 0.0)]], 1.0)?;
+    assert!(twice.pull(&(0.25, 0.5)).is_some_and(|pull| (pull.line, pull.place) == (0, 0.25)));
+    assert!(matches!(Gravity::new([[(0.0, 0.0)]], 1e-200), Err(Error::BadTolerance { .. })));
     assert!(long.pull(&(3.0, 0.5)).is_some_and(|pull| pull.squared_distance == 0.25));
     assert!(matches!(CurveGravity::new(&[line], f64::NAN), Err(Error::BadTolerance { .. })));
     Ok(())
