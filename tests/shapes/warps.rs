@@ -2,7 +2,7 @@
 //! polygons and gravity fields.
 
 use crate::rational_strategies::{nurbs, nurbs_surface};
-use crate::shape_regions::{interval, same_around, same_outside};
+use crate::regions::{interval, same_around, same_outside};
 use crate::strategies::{ANY, Kind, cases, curve, number, point, space, surface};
 use nalgebra::{SVector, vector};
 use proptest::collection::vec;

@@ -1,8 +1,8 @@
 //! Laws of two weights: points go exactly to targets in a triangle, and along a line with the ratio of the weights kept.
 
 use crate::rational_strategies::{nurbs, nurbs_surface, weight};
-use crate::shape_weights::{Law, P, SMALL, Shape, TINY, only_these_changed, picked, proved, refused};
 use crate::strategies::cases;
+use crate::weights::{Law, P, SMALL, Shape, TINY, only_these_changed, picked, proved, refused};
 use proptest::prelude::*;
 use proptest::sample::Index;
 use symspline::{Coeff, Error, Q, Scalar, ShapeError, WeightPairPull, WeightRange};
