@@ -2,6 +2,7 @@
 //! holds or meets the support of a control point. Exact over any field, without roots.
 
 use crate::scalar::Scalar;
+use crate::shape::polygon::is_inside;
 
 /// From where to where along both parameters.
 pub(crate) type Extent<T> = [(T, T); 2];
@@ -137,21 +138,9 @@ fn edges<T>(corners: &[[T; 2]]) -> impl Iterator<Item = [&[T; 2]; 2]> {
     corners.iter().zip(corners.iter().cycle().skip(1)).map(|(a, b)| [a, b])
 }
 
-/// Whether `x` is on an edge, or a ray from it crosses an odd number of edges.
+/// Whether `x` is in a closed polygon, edges included.
 pub(crate) fn in_polygon<T: Scalar>(corners: &[[T; 2]], x: &[T; 2]) -> bool {
-    let mut inside = false;
-    for [a, b] in edges(corners) {
-        let side =
-            (b[0].clone() - &a[0]) * (x[1].clone() - &a[1]) - (b[1].clone() - &a[1]) * (x[0].clone() - &a[0]);
-        let between = |k: usize| (a[k] <= x[k] && x[k] <= b[k]) || (b[k] <= x[k] && x[k] <= a[k]);
-        if side.is_zero() && between(0) && between(1) {
-            return true;
-        }
-        if (a[1] > x[1]) != (b[1] > x[1]) && (side > T::zero()) == (b[1] > a[1]) {
-            inside = !inside;
-        }
-    }
-    inside
+    is_inside(edges(corners).map(|ends| ends.map(|end| (&end[0], &end[1]))), (&x[0], &x[1]))
 }
 
 /// Whether a segment has a point strictly inside a rectangle.

@@ -10,7 +10,7 @@ use nalgebra::vector;
 
 /// What pulls at a point: the foot of the perpendicular on the nearest line.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Pull<T> {
+pub struct GravityPull<T> {
     /// The squared distance `d²` to the line.
     pub squared_distance: T,
     /// Which of the lines.
@@ -96,8 +96,8 @@ impl<T: Scalar> Gravity<T> {
 
     /// What pulls at a point: the nearest place of the polylines, if it is not farther away than the radius. Of several
     /// the first.
-    pub fn pull(&self, point: &(T, T)) -> Option<Pull<T>> {
-        let mut nearest: Option<Pull<T>> = None;
+    pub fn pull(&self, point: &(T, T)) -> Option<GravityPull<T>> {
+        let mut nearest: Option<GravityPull<T>> = None;
         for (line, corners) in self.polylines.iter().enumerate() {
             for leg in 0..corners.len().saturating_sub(1).max(1) {
                 let pull = self.pull_of(point, line, leg);
@@ -111,7 +111,7 @@ impl<T: Scalar> Gravity<T> {
     }
 
     /// The foot on one leg.
-    fn pull_of(&self, (u, v): &(T, T), line: usize, leg: usize) -> Pull<T> {
+    fn pull_of(&self, (u, v): &(T, T), line: usize, leg: usize) -> GravityPull<T> {
         let corners = &self.polylines[line];
         let (a, b) = (&corners[leg], &corners[(leg + 1).min(corners.len() - 1)]);
         let (x, y) = (b.0.clone() - &a.0, b.1.clone() - &a.1);
@@ -135,7 +135,7 @@ impl<T: Scalar> Gravity<T> {
         };
         // The height over the leg, which is more exact than the distance from the foot.
         let squared_distance = across.filter(|_| is_inside).unwrap_or_else(from_foot);
-        Pull { squared_distance, line, place: T::int(leg as i64) + share, foot }
+        GravityPull { squared_distance, line, place: T::int(leg as i64) + share, foot }
     }
 }
 
@@ -156,14 +156,14 @@ impl CurveGravity {
     ///
     /// # Errors
     /// [`Error::NotFinite`] for a point that is not finite.
-    pub fn pull(&self, (u, v): &(f64, f64)) -> Result<Option<Pull<f64>>> {
+    pub fn pull(&self, (u, v): &(f64, f64)) -> Result<Option<GravityPull<f64>>> {
         let mut nearest = None;
         let mut most = self.radius;
         for (line, curve) in self.curves.iter().enumerate() {
             let foot = curve.foot(&vector![*u, *v])?;
             if foot.distance < most || (nearest.is_none() && foot.distance <= most) {
                 most = foot.distance;
-                nearest = Some(Pull {
+                nearest = Some(GravityPull {
                     squared_distance: foot.distance * foot.distance,
                     line,
                     place: foot.parameter,

@@ -43,25 +43,34 @@ impl<T: Scalar> Polygons<T> {
     }
 
     /// Whether a point is in the region, exactly over an exact field.
-    pub fn contains(&self, (u, v): &(T, T)) -> bool {
-        let mut inside = false;
-        for [(a, c), (b, d)] in &self.edges {
-            let between = |x: &T, p: &T, q: &T| (p <= x && x <= q) || (q <= x && x <= p);
-            if (u, v) == (a, c) || (c == d && v == c && between(u, a, b)) {
-                return true;
-            }
-            if c == d || !between(v, c, d) {
-                continue;
-            }
-            let met = a.clone() + (b.clone() - a) * ((v.clone() - c) / (d.clone() - c));
-            if *u == met {
-                return true;
-            }
-            // Of an edge the upper end does not count, so that a corner counts once for two edges.
-            inside ^= (v < c) != (v < d) && *u < met;
-        }
-        inside
+    pub fn contains(&self, point: &(T, T)) -> bool {
+        let edges = self.edges.iter().map(|[(a, c), (b, d)]| [(a, c), (b, d)]);
+        is_inside(edges, (&point.0, &point.1))
     }
+}
+
+/// Whether a point is on an edge, or a ray from it crosses an odd number of edges.
+pub(crate) fn is_inside<'a, T: Scalar>(
+    edges: impl Iterator<Item = [(&'a T, &'a T); 2]>,
+    (u, v): (&T, &T),
+) -> bool {
+    let mut inside = false;
+    for [(a, c), (b, d)] in edges {
+        let between = |x: &T, p: &T, q: &T| (p <= x && x <= q) || (q <= x && x <= p);
+        if (u, v) == (a, c) || (c == d && v == c && between(u, a, b)) {
+            return true;
+        }
+        if c == d || !between(v, c, d) {
+            continue;
+        }
+        let met = a.clone() + (b.clone() - a) * ((v.clone() - c) / (d.clone() - c));
+        if *u == met {
+            return true;
+        }
+        // Of an edge the upper end does not count, so that a corner counts once for two edges.
+        inside ^= (v < c) != (v < d) && *u < met;
+    }
+    inside
 }
 
 /// Refuses points that are not finite.
