@@ -68,14 +68,14 @@ fn points(sheet: &Sheet) -> Outcome<()> {
     println!("{} control points move, by {:.3} at most", all.matrix().indices().len(), largest(all.matrix()));
     println!("{} control points move, by {:.3} at most", few.matrix().indices().len(), largest(few.matrix()));
     let figure = Figure::new(900.0)
-        .title("The point in the middle moved up by 0.3, least movement")
+        .title("The point in the middle moved up by 0.15, least movement")
         .panel(picture(
             "(a) By all control points with influence",
-            &all.dragged(sheet, &[up(0.3)])?,
+            &all.dragged(sheet, &[up(0.15)])?,
             true,
             &at,
         )?)
-        .panel(picture("(b) By three control points", &few.dragged(sheet, &[up(0.3)])?, true, &at)?);
+        .panel(picture("(b) By three control points", &few.dragged(sheet, &[up(0.15)])?, true, &at)?);
     write(&figure, &target("surface_points"))
 }
 

@@ -1,6 +1,7 @@
 //! Linear functionals on few coefficients, anywhere in a list.
 
 use crate::coeff::Coeff;
+use crate::error::{Error, Result};
 use crate::functional::Functional;
 use crate::scalar::Scalar;
 
@@ -64,6 +65,17 @@ impl<T: Scalar> SparseRow<T> {
     pub fn weight(&self, index: usize) -> Option<&T> {
         let found = self.terms.binary_search_by_key(&index, |(i, _)| *i).ok()?;
         Some(&self.terms[found].1)
+    }
+
+    /// Refuses weights beyond a list of `length`, and those that are not finite.
+    pub(crate) fn check(&self, length: usize) -> Result<()> {
+        if let Some((index, _)) = self.terms.last().filter(|(i, _)| *i >= length) {
+            return Err(Error::IndexOutOfRange { index: *index, length });
+        }
+        match self.terms.iter().position(|(_, w)| !w.is_finite()) {
+            Some(index) => Err(Error::NotFinite { what: "weight", index }),
+            None => Ok(()),
+        }
     }
 
     /// The functional without the weights at some indices.

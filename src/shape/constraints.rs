@@ -96,13 +96,7 @@ impl<'a, T: Scalar, S: Controlled<T>> Constraints<'a, T, S> {
     /// # Ok::<(), symspline::Error>(())
     /// ```
     pub fn row(mut self, row: SparseRow<T>) -> Result<Self> {
-        let length = self.shape.control_count();
-        if let Some((index, _)) = row.terms().last().filter(|(i, _)| *i >= length) {
-            return Err(Error::IndexOutOfRange { index: *index, length });
-        }
-        if let Some(index) = row.terms().iter().position(|(_, w)| !w.is_finite()) {
-            return Err(Error::NotFinite { what: "weight", index });
-        }
+        row.check(self.shape.control_count())?;
         self.wanted.push(Wanted { row, derivative: None });
         Ok(self)
     }

@@ -62,13 +62,7 @@ impl<T: Scalar, S: Controlled<T, Point = SVector<T, N>>, const N: usize> Coupled
     /// # Errors
     /// [`Error::IndexOutOfRange`], [`Error::NotFinite`].
     pub fn components(mut self, row: SparseRow<T>) -> Result<Self> {
-        let length = self.base.shape.control_count() * N;
-        if let Some((index, _)) = row.terms().last().filter(|(i, _)| *i >= length) {
-            return Err(Error::IndexOutOfRange { index: *index, length });
-        }
-        if let Some(index) = row.terms().iter().position(|(_, w)| !w.is_finite()) {
-            return Err(Error::NotFinite { what: "weight", index });
-        }
+        row.check(self.base.shape.control_count() * N)?;
         self.rows.push(row);
         Ok(self)
     }
