@@ -1,8 +1,10 @@
 //! What can go wrong, as one enum with data.
 
 pub mod shape;
+pub mod tune;
 
 use shape::ShapeError;
+use tune::TuneError;
 
 /// The result of an operation that can fail.
 pub type Result<T> = std::result::Result<T, Error>;
@@ -358,6 +360,9 @@ pub enum Error {
         /// The index of the leg.
         index: usize,
     },
+    /// Fine tuning of a surface refused.
+    #[error(transparent)]
+    Tune(#[from] TuneError),
     /// A shape tool refused.
     #[error(transparent)]
     Shape(#[from] ShapeError),

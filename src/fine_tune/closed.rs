@@ -7,13 +7,13 @@
 
 use crate::error::{Error, Result};
 use crate::fine_tune::chain::Chain;
-use crate::fine_tune::hold::Turnable;
 use crate::fine_tune::joint::Jointed;
 use crate::fine_tune::legs::{legs, scaled_speed};
 use crate::fine_tune::minimise::{Limits, minimise};
 use crate::fine_tune::scale::Scale;
 use crate::fine_tune::springs::Springs;
-use crate::spline::{Curve, Spline};
+use crate::fine_tune::turn::Turnable;
+use crate::spline::{Curve, Function, Spline};
 use crate::vector::{length, unit};
 use nalgebra::SVector;
 
@@ -88,7 +88,7 @@ where
     /// ```
     pub fn fine_tuned_closed<'a>(
         &self,
-        alpha: impl Into<Scale<'a, f64>>,
+        alpha: impl Into<Scale<'a, Function<f64>>>,
         springs: &Springs,
     ) -> Result<Relaxed<N>> {
         let alpha = alpha.into().function()?;

@@ -6,7 +6,7 @@
 //! In the plane `n` points up: angles to the left are positive. In space `n` has the direction of `u × v`: angles have no
 //! sign, `0 <= θ <= π`.
 
-use crate::fine_tune::hold::{Turnable, across};
+use crate::fine_tune::turn::{Turnable, across};
 use crate::vector::{cross2, cross3};
 use nalgebra::{SVector, vector};
 use std::f64::consts::{PI, TAU};

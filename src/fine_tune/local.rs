@@ -16,9 +16,10 @@
 use crate::constrain::norm::Norm;
 use crate::error::{Error, Result};
 use crate::fine_tune::condition::Condition;
-use crate::fine_tune::hold::{Held, Hold, Turnable};
+use crate::fine_tune::hold::{Held, Hold};
 use crate::fine_tune::nearest_scale::NearestScale;
 use crate::fine_tune::scale::Scale;
+use crate::fine_tune::turn::Turnable;
 use crate::scalar::Scalar;
 use crate::space::SplineSpace;
 use crate::spline::{Curve, Function};
@@ -205,7 +206,7 @@ where
     #[doc(alias = "local fine tuning")]
     pub fn fine_tuned_on<'a>(
         &self,
-        alpha: impl Into<Scale<'a, T>>,
+        alpha: impl Into<Scale<'a, Function<T>>>,
         hold: Hold,
     ) -> Result<LocallyTuned<T, N>> {
         let alpha = alpha.into().function()?;

@@ -1,6 +1,8 @@
 //! Fine tuning: a curve is deformed by scaling its derivative, after Miura, Cheng and Wang.
 
 pub mod scale;
+pub mod turn;
+mod ends;
 pub mod hold;
 pub mod condition;
 mod table;
@@ -16,3 +18,4 @@ pub mod joint;
 pub mod springs;
 mod chain;
 pub mod closed;
+pub mod surface;

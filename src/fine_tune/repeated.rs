@@ -5,13 +5,14 @@
 //! far as they are held. The paper bounds nothing; here the distance is certified.
 
 use crate::error::{Error, Result};
-use crate::fine_tune::hold::{Hold, Turnable};
+use crate::fine_tune::hold::Hold;
 use crate::fine_tune::local::LocallyTuned;
 use crate::fine_tune::scale::Scale;
+use crate::fine_tune::turn::Turnable;
 use crate::ops::bound::{Approximation, check_tolerance, out_of_tolerance};
 use crate::ops::project::Contact;
 use crate::scalar::Scalar;
-use crate::spline::Curve;
+use crate::spline::{Curve, Function};
 use nalgebra::SVector;
 
 /// How many times bounds halve the pieces of the difference.
@@ -98,7 +99,7 @@ where
     /// ```
     pub fn fine_tuned_within<'a>(
         &self,
-        alpha: impl Into<Scale<'a, T>>,
+        alpha: impl Into<Scale<'a, Function<T>>>,
         hold: Hold,
         tolerance: &T,
     ) -> Result<Approximation<Self, T>> {

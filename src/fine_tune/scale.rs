@@ -12,10 +12,12 @@ use crate::ops::bound::{Approximation, out_of_tolerance};
 use crate::scalar::Scalar;
 use crate::space::SplineSpace;
 use crate::spline::{Curve, Function};
+use crate::tensor::spline::TensorSpline;
 
 /// A scale function `α`, and whether it must be positive.
 ///
-/// A function turns into [`Scale::Positive`] by itself; other signs are asked for by name.
+/// A [`Function`] for curves, a [`TensorSpline`] for surfaces. It turns into [`Scale::Positive`] by itself; other signs are
+/// asked for by name.
 ///
 /// # Examples
 /// ```
@@ -29,29 +31,50 @@ use crate::spline::{Curve, Function};
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
-pub enum Scale<'a, T: Scalar> {
+pub enum Scale<'a, F> {
     /// It must be positive, and that is proved before it is used.
-    Positive(&'a Function<T>),
+    Positive(&'a F),
     /// It may have any sign: the tangent is reversed where it is negative, and the curve stands still at zeros.
-    Signed(&'a Function<T>),
+    Signed(&'a F),
 }
 
-impl<'a, T: Scalar> From<&'a Function<T>> for Scale<'a, T> {
-    fn from(function: &'a Function<T>) -> Self {
+impl<'a, F> From<&'a F> for Scale<'a, F> {
+    fn from(function: &'a F) -> Self {
         Self::Positive(function)
     }
 }
 
-impl<'a, T: Scalar> Scale<'a, T> {
+impl<'a, F: ScaleFunction> Scale<'a, F> {
     /// The function, if its sign is as asked for.
     ///
     /// # Errors
     /// Those of [`positive_bound`](Function::positive_bound).
-    pub fn function(self) -> Result<&'a Function<T>> {
+    pub fn function(self) -> Result<&'a F> {
         match self {
-            Self::Positive(function) => function.positive_bound().map(|_| function),
+            Self::Positive(function) => function.check_positive().map(|()| function),
             Self::Signed(function) => Ok(function),
         }
+    }
+}
+
+/// Functions that can be proved to be positive, of one parameter or of two.
+pub trait ScaleFunction {
+    /// Refuses functions that are not proved to be positive.
+    ///
+    /// # Errors
+    /// Those of [`Function::positive_bound`].
+    fn check_positive(&self) -> Result<()>;
+}
+
+impl<T: Scalar> ScaleFunction for Function<T> {
+    fn check_positive(&self) -> Result<()> {
+        self.positive_bound().map(drop)
+    }
+}
+
+impl<T: Scalar> ScaleFunction for TensorSpline<T> {
+    fn check_positive(&self) -> Result<()> {
+        self.positive_bound().map(drop)
     }
 }
 
@@ -80,12 +103,15 @@ impl<T: Scalar, const N: usize> Curve<T, N> {
     /// assert!((ratio - 1.0 / 1.5).abs() < 1e-15);
     /// # Ok::<(), symspline::Error>(())
     /// ```
-    pub fn fine_tuned<'a>(&self, alpha: impl Into<Scale<'a, T>>) -> Result<Self> {
+    pub fn fine_tuned<'a>(&self, alpha: impl Into<Scale<'a, Function<T>>>) -> Result<Self> {
         self.fine_tuned_from_origin(alpha)?.translated(&self.at(self.domain().0)?)
     }
 
     /// The same moved so that it starts at the origin.
-    pub(crate) fn fine_tuned_from_origin<'a>(&self, alpha: impl Into<Scale<'a, T>>) -> Result<Self> {
+    pub(crate) fn fine_tuned_from_origin<'a>(
+        &self,
+        alpha: impl Into<Scale<'a, Function<T>>>,
+    ) -> Result<Self> {
         let alpha = alpha.into().function()?;
         self.derivative()?.times(alpha)?.clamped_ends()?.antiderivative()
     }

@@ -7,9 +7,11 @@ use crate::coeff::Coeff;
 use crate::constrain::norm::Norm;
 use crate::error::{Error, Result};
 use crate::fine_tune::condition::Condition;
-use crate::fine_tune::hold::{Ends, Hold, Turnable};
+use crate::fine_tune::ends::Ends;
+use crate::fine_tune::hold::Hold;
 use crate::fine_tune::nearest_scale::NearestScale;
 use crate::fine_tune::table::Table;
+use crate::fine_tune::turn::Turnable;
 use crate::functional::weigh;
 use crate::scalar::Scalar;
 use crate::space::SplineSpace;
@@ -117,7 +119,7 @@ impl<T: Scalar, const N: usize> FineTuner<T, N> {
         let mut tuner = Self::free(curve, scales)?;
         if let Some(depth) = hold.depth() {
             let invariant = curve.clamped_ends()?.embedded(tuner.space())?;
-            let ends = Ends::of(invariant.coeffs(), depth)?;
+            let ends = Ends::of(invariant.coeffs(), [depth, depth])?;
             // A closed curve has no chord either way.
             drop(ends.turn(&SVector::repeat(T::one()))?);
             let chord = tuner.table.moments(depth..invariant.coeffs().len() - 1 - depth);

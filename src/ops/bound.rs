@@ -135,16 +135,8 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
 
     /// What rounding may add to the difference with `other`, in the union of the spaces or `halvings` below.
     pub(crate) fn allowance(&self, other: &Self, halvings: usize) -> T {
-        if T::EXACT {
-            return T::zero();
-        }
-        let degrees = [self.degree(), other.degree()];
-        let (low, high) = (degrees[0].min(degrees[1]), degrees[0].max(degrees[1]));
-        // Raises, knots, pieces, halvings, and one for the difference itself.
-        let steps = (high - low + 2 + halvings + 1) as i64;
-        let roundings = T::int(8 * (high as i64 + 1) * steps);
-        let share = roundings * epsilon::<T>();
-        largest(self.coeffs()) * &share + largest(other.coeffs()) * share
+        let (this, other) = (largest(self.coeffs()), (other.degree(), largest(other.coeffs())));
+        rounding(&this, self.degree(), other, halvings)
     }
 }
 
@@ -213,6 +205,19 @@ pub(crate) fn sum_above<T: Scalar>(x: T, y: &T) -> T {
         return x + y;
     }
     (x + y) * (T::one() + T::int(2) * epsilon::<T>())
+}
+
+/// What rounding may add to the difference of two splines of these degrees and largest coefficients, in the union of their
+/// spaces or `halvings` below.
+pub(crate) fn rounding<T: Scalar>(size: &T, degree: usize, other: (usize, T), halvings: usize) -> T {
+    if T::EXACT {
+        return T::zero();
+    }
+    let (low, high) = (degree.min(other.0), degree.max(other.0));
+    // Raises, knots, pieces, halvings, and one for the difference itself.
+    let steps = (high - low + 2 + halvings + 1) as i64;
+    let share = T::int(8 * (high as i64 + 1) * steps) * epsilon::<T>();
+    size.clone() * &share + other.1 * share
 }
 
 /// What a tolerance leaves when `used` of it is gone: added to `used` it is certainly not more.

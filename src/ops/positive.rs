@@ -4,6 +4,7 @@
 //! first closing in on values from below, until every piece is decided or a value that is not positive is met.
 
 use crate::error::{Error, Result};
+use crate::ops::patch::Patch;
 use crate::scalar::Scalar;
 use crate::spline::Function;
 
@@ -37,38 +38,60 @@ impl<T: Scalar> Function<T> {
     /// # Ok::<(), Error>(())
     /// ```
     pub fn positive_bound(&self) -> Result<T> {
-        if let Some(least) = least(self.coeffs()).filter(|least| **least > T::zero()) {
-            return Ok(least.clone());
-        }
-        let mut open: Vec<_> = self.patches()?.into_iter().map(|patch| (patch, 0)).collect();
-        let mut bound: Option<T> = None;
-        let mut halvings = 0;
-        let mut noises: Vec<T> = Vec::new();
-        while let Some((patch, depth)) = open.pop() {
-            while noises.len() <= depth {
-                noises.push(self.allowance(self, noises.len()));
-            }
-            let noise = &noises[depth];
-            let corner = patch.lowest_corner();
-            if corner.value <= *noise {
-                let [parameter] = corner.parameter.map(|x| x.to_string());
-                return Err(Error::NotPositive { parameter, value: corner.value.to_string() });
-            }
-            match least(&patch.coeffs).map(|least| least.clone() - noise).filter(|least| *least > T::zero()) {
-                Some(least) => {
-                    if bound.as_ref().is_none_or(|bound| least < *bound) {
-                        bound = Some(least);
-                    }
-                }
-                None if depth == DEPTH || halvings == HALVINGS => return Err(Error::Undecided),
-                None => {
-                    halvings += 1;
-                    open.extend(patch.halves(depth).map(|half| (half, depth + 1)));
-                }
-            }
-        }
-        bound.ok_or(Error::Undecided)
+        positive_bound_of(self.coeffs(), || self.patches(), |halvings| self.allowance(self, halvings))
     }
+}
+
+/// A positive number that no value of the function with these coefficients and `patches` is below; `noise` is what rounding
+/// may do to coefficients after a number of halvings.
+///
+/// # Errors
+/// [`Error::NotPositive`], [`Error::Undecided`], those of `patches`.
+pub(crate) fn positive_bound_of<T: Scalar, const D: usize>(
+    coeffs: &[T],
+    patches: impl FnOnce() -> Result<Vec<Patch<T, D>>>,
+    noise: impl Fn(usize) -> T,
+) -> Result<T> {
+    if let Some(least) = least(coeffs).filter(|least| **least > T::zero()) {
+        return Ok(least.clone());
+    }
+    let mut open: Vec<_> = patches()?.into_iter().map(|patch| (patch, 0)).collect();
+    let mut bound: Option<T> = None;
+    let mut halvings = 0;
+    let mut noises: Vec<T> = Vec::new();
+    while let Some((patch, depth)) = open.pop() {
+        while noises.len() <= depth {
+            noises.push(noise(noises.len()));
+        }
+        let noise = &noises[depth];
+        let corner = patch.lowest_corner();
+        if corner.value <= *noise {
+            return Err(not_positive(&corner.parameter, &corner.value));
+        }
+        match least(&patch.coeffs).map(|least| least.clone() - noise).filter(|least| *least > T::zero()) {
+            Some(least) => {
+                if bound.as_ref().is_none_or(|bound| least < *bound) {
+                    bound = Some(least);
+                }
+            }
+            None if depth == D * DEPTH || halvings == HALVINGS => return Err(Error::Undecided),
+            None => {
+                halvings += 1;
+                open.extend(patch.halves(depth).map(|half| (half, depth + 1)));
+            }
+        }
+    }
+    bound.ok_or(Error::Undecided)
+}
+
+/// [`Error::NotPositive`] at a parameter, or a pair of them.
+fn not_positive<T: Scalar>(parameter: &[T], value: &T) -> Error {
+    let parameters: Vec<String> = parameter.iter().map(T::to_string).collect();
+    let parameter = match parameters.as_slice() {
+        [parameter] => parameter.clone(),
+        several => format!("({})", several.join(", ")),
+    };
+    Error::NotPositive { parameter, value: value.to_string() }
 }
 
 /// The least of some numbers.

@@ -11,6 +11,7 @@ use crate::scalar::Scalar;
 use crate::space::SplineSpace;
 use crate::spline::Spline;
 use crate::tensor::spline::TensorSpline;
+use std::fmt;
 
 /// One of the two parameters of a surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -19,6 +20,25 @@ pub enum Direction {
     U,
     /// Along the second parameter.
     V,
+}
+
+impl Direction {
+    /// The direction across this one.
+    pub fn other(self) -> Self {
+        match self {
+            Self::U => Self::V,
+            Self::V => Self::U,
+        }
+    }
+}
+
+impl fmt::Display for Direction {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::U => "u",
+            Self::V => "v",
+        })
+    }
 }
 
 impl<T: Scalar, C: Coeff<T>> TensorSpline<T, C> {

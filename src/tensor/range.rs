@@ -2,8 +2,10 @@
 
 use crate::coeff::Coeff;
 use crate::error::Result;
+use crate::ops::bound::{largest, rounding};
 use crate::ops::enclose::{Enclosure, enclose};
 use crate::ops::patch::Patch;
+use crate::ops::positive::positive_bound_of;
 use crate::ops::range::{box_of, each_axis, ends};
 use crate::scalar::Scalar;
 use crate::tensor::patches::patches;
@@ -35,6 +37,32 @@ impl<T: Scalar> TensorSpline<T> {
     /// ```
     pub fn range(&self, accuracy: &T) -> Result<Enclosure<T, (T, T)>> {
         Ok(enclose(self.boxes()?, accuracy)?.map_parameters(|[u, v]| (u, v)))
+    }
+
+    /// A positive number that no value is below, as [`Function::positive_bound`](crate::Function::positive_bound): a proof that
+    /// the function is positive.
+    ///
+    /// # Errors
+    /// As [`Function::positive_bound`](crate::Function::positive_bound).
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::{Error, Q, Scalar, SplineSpace, TensorSpline};
+    /// let parabola = SplineSpace::bezier(2, Q::int(0), Q::int(1))?;
+    /// let hollow = |middle: i64| {
+    ///     let coeffs = [1, 1, 1, 1, middle, 1, 1, 1, 1].map(Q::int);
+    ///     TensorSpline::new(parabola.clone(), parabola.clone(), coeffs.to_vec())
+    /// };
+    /// // 1 - (1 - middle) / 4 in the middle.
+    /// assert!(hollow(-2)?.positive_bound()? > Q::int(0));
+    /// let touching = hollow(-3)?.positive_bound().unwrap_err();
+    /// assert_eq!(touching, Error::NotPositive { parameter: "(1/2, 1/2)".into(), value: "0".into() });
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn positive_bound(&self) -> Result<T> {
+        let (size, degree) = (largest(self.coeffs()), self.u().degree() + self.v().degree());
+        let noise = |halvings: usize| rounding(&size, degree, (degree, size.clone()), halvings);
+        positive_bound_of(self.coeffs(), || self.boxes(), noise)
     }
 }
 

@@ -24,7 +24,7 @@ mod shape_warps;
 mod shape_bends;
 
 /// The categories tested here, with their numbers of cases.
-const TESTED: [(&str, usize); 51] = [
+const TESTED: [(&str, usize); 53] = [
     ("basis", 22),
     ("curve_ders", 3),
     ("hodograph", 3),
@@ -48,6 +48,8 @@ const TESTED: [(&str, usize); 51] = [
     ("curvature2d", 3),
     ("curvature3d", 3),
     ("surface_T", 4),
+    ("surface_T_boundary", 2),
+    ("surface_alpha_border", 3),
     ("nurbs_ders", 6),
     ("nurbs_basis_ders", 5),
     ("nurbs_surface_ders", 2),
@@ -91,5 +93,5 @@ fn every_case_is_counted() {
     assert_eq!(ids.len(), tested.iter().map(|(_, count)| count).sum::<usize>());
     ids.sort_unstable();
     ids.dedup();
-    assert_eq!(ids.len(), 259, "distinct cases");
+    assert_eq!(ids.len(), 264, "distinct cases");
 }

@@ -1,0 +1,29 @@
+//! Why fine tuning of a surface refused.
+
+/// Why fine tuning of a surface refused.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum TuneError {
+    /// The ends of a line of control points cannot be held by a similarity, because one of the chords has no length.
+    #[error(
+        "line {line} of control points along {direction} is closed before or after scaling: no rotation and scaling holds its ends"
+    )]
+    NoChord {
+        /// Along which parameter the line runs.
+        direction: String,
+        /// Its index.
+        line: usize,
+    },
+    /// A direction in which the surface is periodic has no edges to hold.
+    #[error("the surface is periodic in {direction}: it has no edges there")]
+    NoEdge {
+        /// The direction.
+        direction: String,
+    },
+    /// An edge of a rectangle inside the surface is not held.
+    #[error("edge {edge} lies inside the surface and has to be held")]
+    FreeEdge {
+        /// The edge.
+        edge: String,
+    },
+}

@@ -1,0 +1,5 @@
+//! Fine tuning of surfaces: the derivative scaled along one path or two.
+
+pub mod path;
+pub mod edges;
+pub mod held;
