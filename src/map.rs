@@ -111,6 +111,42 @@ impl<T: Scalar> LinearMap<T> {
         (0..self.target_dim()).map(|i| self.row(i))
     }
 
+    /// The map of two directions, this one across and `other` along, on coefficients row by row.
+    ///
+    /// # Errors
+    /// [`Error::TooLarge`].
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::{Functional, LinearMap};
+    /// let mean = LinearMap::from_rows(2, [Functional::new(0, [0.5, 0.5])])?;
+    /// assert_eq!(mean.tensor(&LinearMap::identity(2))?.apply(&[1.0, 2.0, 5.0, 8.0])?, [3.0, 5.0]);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    #[doc(alias = "kronecker")]
+    pub fn tensor(&self, other: &Self) -> Result<Self> {
+        let (m, n) = (self.source_dim, other.source_dim);
+        let mut map = Self::empty(m * n, self.target_dim() * other.target_dim());
+        for (i, across) in self.rows() {
+            for (j, along) in other.rows() {
+                // Whole rows where the weights along wrap.
+                let (start, width) = if j + along.len() > n { (0, n) } else { (j, along.len()) };
+                let length = across.len().saturating_sub(1) * n + width;
+                check_entries(map.weights.len() + length, 1)?;
+                map.push(i * n + start, |weights| {
+                    let first = weights.len();
+                    weights.resize(first + length, T::zero());
+                    for (k, share) in across.iter().enumerate() {
+                        for (l, weight) in along.iter().enumerate() {
+                            weights[first + k * n + wrap(j + l, n) - start] += share.clone() * weight;
+                        }
+                    }
+                });
+            }
+        }
+        Ok(map)
+    }
+
     /// The image of `coeffs`.
     ///
     /// # Errors

@@ -9,7 +9,7 @@
 //! can go, no coefficients meet all. Only additions, multiplications and divisions: exact over an exact field.
 
 use crate::constrain::change::LeastChange;
-use crate::constrain::norm::Norm;
+use crate::constrain::norm::{CoeffSpace, Norm};
 use crate::constrain::orthogonal::{Change, Split, Step, split};
 use crate::error::{Error, Result};
 use crate::functional::{Functional, weigh};
@@ -79,8 +79,8 @@ impl<T: Scalar> Held<T> {
 ///
 /// # Errors
 /// Those of [`LeastChange::edit`]; [`Error::TooLarge`]; [`Error::Undecided`] if in floating point it does not end.
-pub(crate) fn nearest_above<T: Scalar>(
-    change: &LeastChange<T>,
+pub(crate) fn nearest_above<T: Scalar, S: CoeffSpace<T> + Clone>(
+    change: &LeastChange<T, S>,
     targets: &[T],
     wanted: &[T],
     (rows, floor): (&LinearMap<T>, &T),

@@ -7,7 +7,7 @@
 //! edit after that takes a few sums. Rows that depend on others are fine as long as their targets agree.
 
 use crate::coeff::Coeff;
-use crate::constrain::norm::Norm;
+use crate::constrain::norm::{CoeffSpace, Norm};
 use crate::constrain::orthogonal::{Change, Split, Step, split};
 use crate::error::{Error, Result};
 use crate::functional::Functional;
@@ -32,8 +32,8 @@ use crate::spline::Spline;
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct LeastChange<T> {
-    space: SplineSpace<T>,
+pub struct LeastChange<T, S = SplineSpace<T>> {
+    space: S,
     rows: Vec<Functional<T>>,
     /// What the rows are divided by before they are taken apart, so that no square overflows or vanishes.
     sizes: Vec<T>,
@@ -43,7 +43,7 @@ pub struct LeastChange<T> {
     steps: Vec<Step<T>>,
 }
 
-impl<T: Scalar> LeastChange<T> {
+impl<T: Scalar, S: CoeffSpace<T> + Clone> LeastChange<T, S> {
     /// The conditions that `rows` have given values on the coefficients of splines of `space`, with the change measured by
     /// `norm`.
     ///
@@ -51,7 +51,7 @@ impl<T: Scalar> LeastChange<T> {
     /// [`Error::TooLarge`] for more than [`MAX_ENTRIES`](crate::limits::MAX_ENTRIES) numbers; [`Error::NotFinite`];
     /// [`Error::IndexOutOfRange`] if a row starts past the last coefficient; [`Error::DegreeTooHigh`] and
     /// [`Error::Singular`] from the Gram matrix.
-    pub fn new(space: &SplineSpace<T>, rows: &[Functional<T>], norm: Norm) -> Result<Self> {
+    pub fn new(space: &S, rows: &[Functional<T>], norm: Norm) -> Result<Self> {
         let n = space.dim();
         check_entries(rows.len(), n)?;
         for row in rows {
@@ -79,29 +79,13 @@ impl<T: Scalar> LeastChange<T> {
     }
 
     /// The space of the splines.
-    pub fn space(&self) -> &SplineSpace<T> {
+    pub fn space(&self) -> &S {
         &self.space
     }
 
     /// How many conditions do not follow from those before them.
     pub fn rank(&self) -> usize {
         self.steps.len()
-    }
-
-    /// The spline nearest to `f` on whose coefficients the conditions have the values `targets`.
-    ///
-    /// # Errors
-    /// [`Error::CoefficientCount`] unless there is a target for each condition; [`Error::DomainMismatch`] and
-    /// [`Error::TooSmooth`] unless `f` is in the space; [`Error::Clash`] if a condition that follows from others has a target
-    /// that does not; [`Error::NotFinite`] on overflow.
-    pub fn edited<C: Coeff<T>>(&self, f: &Spline<T, C>, targets: &[C]) -> Result<Spline<T, C>> {
-        let mut coeffs = if f.space() == &self.space {
-            f.coeffs().to_vec()
-        } else {
-            f.embedded(&self.space)?.into_coeffs()
-        };
-        self.edit(&mut coeffs, targets)?;
-        Spline::new(self.space.clone(), coeffs)
     }
 
     /// Changes `coeffs` as [`edited`](Self::edited) does.
@@ -157,6 +141,24 @@ impl<T: Scalar> LeastChange<T> {
     /// The orthogonal rows.
     pub(crate) fn steps(&self) -> &[Step<T>] {
         &self.steps
+    }
+}
+
+impl<T: Scalar> LeastChange<T> {
+    /// The spline nearest to `f` on whose coefficients the conditions have the values `targets`.
+    ///
+    /// # Errors
+    /// [`Error::CoefficientCount`] unless there is a target for each condition; [`Error::DomainMismatch`] and
+    /// [`Error::TooSmooth`] unless `f` is in the space; [`Error::Clash`] if a condition that follows from others has a target
+    /// that does not; [`Error::NotFinite`] on overflow.
+    pub fn edited<C: Coeff<T>>(&self, f: &Spline<T, C>, targets: &[C]) -> Result<Spline<T, C>> {
+        let mut coeffs = if f.space() == &self.space {
+            f.coeffs().to_vec()
+        } else {
+            f.embedded(&self.space)?.into_coeffs()
+        };
+        self.edit(&mut coeffs, targets)?;
+        Spline::new(self.space.clone(), coeffs)
     }
 }
 

@@ -7,6 +7,7 @@ pub mod hold;
 pub mod condition;
 mod table;
 mod area;
+pub mod scale_space;
 pub mod nearest_scale;
 pub mod tuner;
 pub mod local;

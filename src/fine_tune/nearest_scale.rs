@@ -13,11 +13,13 @@ use crate::constrain::norm::Norm;
 use crate::error::{Error, Result};
 use crate::fine_tune::area::AreaForm;
 use crate::fine_tune::condition::{Condition, Rows};
+use crate::fine_tune::scale::ScaleFunction;
+use crate::fine_tune::scale_space::ScaleSpace;
 use crate::functional::Functional;
 use crate::map::LinearMap;
 use crate::scalar::{Scalar, larger};
 use crate::space::SplineSpace;
-use crate::spline::{Curve, Function};
+use crate::spline::Curve;
 
 /// How often the space is bisected whose control values keep above the floor.
 const REFINEMENTS: usize = 3;
@@ -48,8 +50,8 @@ const FULL_STEPS: usize = 20;
 /// # Ok::<(), symspline::Error>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct NearestScale<T: Scalar> {
-    change: LeastChange<T>,
+pub struct NearestScale<T: Scalar, S = SplineSpace<T>> {
+    change: LeastChange<T, S>,
     /// The area that is to stay, and the condition that says so.
     area: Option<(AreaForm<T>, usize)>,
     norm: Norm,
@@ -71,9 +73,22 @@ impl<T: Scalar> NearestScale<T> {
         norm: Norm,
     ) -> Result<Self> {
         let Rows { rows, targets, sources, area } = Rows::of(curve, scales, conditions)?;
-        let change = LeastChange::new(scales, &rows, norm)?;
         let area = area.map(|source| AreaForm::of(curve, scales).map(|form| (form, source))).transpose()?;
-        Ok(Self { change, area, norm, targets, sources, floor: T::frac(1, 100) })
+        Ok(Self { area, ..Self::of_rows(scales, &rows, targets, sources, norm)? })
+    }
+}
+
+impl<T: Scalar, S: ScaleSpace<T>> NearestScale<T, S> {
+    /// The conditions that `rows` have the values `targets`, each row of the condition that `sources` says.
+    pub(crate) fn of_rows(
+        scales: &S,
+        rows: &[Functional<T>],
+        targets: Vec<T>,
+        sources: Vec<usize>,
+        norm: Norm,
+    ) -> Result<Self> {
+        let change = LeastChange::new(scales, rows, norm)?;
+        Ok(Self { change, area: None, norm, targets, sources, floor: T::frac(1, 100) })
     }
 
     /// The same with another floor, which the control values keep above where the nearest scale function would not be
@@ -89,7 +104,7 @@ impl<T: Scalar> NearestScale<T> {
     }
 
     /// The space of the scale functions.
-    pub fn scales(&self) -> &SplineSpace<T> {
+    pub fn scales(&self) -> &S {
         self.change.space()
     }
 
@@ -109,7 +124,7 @@ impl<T: Scalar> NearestScale<T> {
     /// `wanted` is in the space; [`Error::Undecided`] if in floating point the search does not end, or rounding is larger than
     /// the floor; [`Error::TooLarge`], [`Error::NotFinite`]. With [`Condition::Area`] over an exact field [`Error::AreaElsewhere`]
     /// unless the curve itself meets the other conditions, [`Error::Undecided`] where no step along the line has the area.
-    pub fn to(&self, wanted: &Function<T>) -> Result<Function<T>> {
+    pub fn to(&self, wanted: &S::Function) -> Result<S::Function> {
         self.nearest(wanted, false)
     }
 
@@ -117,14 +132,13 @@ impl<T: Scalar> NearestScale<T> {
     ///
     /// # Errors
     /// As [`to`](Self::to), but for positivity.
-    pub fn to_signed(&self, wanted: &Function<T>) -> Result<Function<T>> {
+    pub fn to_signed(&self, wanted: &S::Function) -> Result<S::Function> {
         self.nearest(wanted, true)
     }
 
-    fn nearest(&self, wanted: &Function<T>, signed: bool) -> Result<Function<T>> {
+    fn nearest(&self, wanted: &S::Function, signed: bool) -> Result<S::Function> {
         let scales = self.scales();
-        let wanted = if wanted.space() == scales { wanted.clone() } else { wanted.embedded(scales)? };
-        Function::new(scales.clone(), self.near(wanted.into_coeffs(), signed)?)
+        scales.function(self.near(scales.coeffs_of(wanted)?, signed)?)
     }
 
     /// The coefficients of the nearest scale function.
@@ -152,7 +166,7 @@ impl<T: Scalar> NearestScale<T> {
     /// Whether the scale function with these coefficients is positive, proved.
     fn is_positive(&self, values: &[T]) -> Result<bool> {
         let positive = values.iter().all(|value| *value > T::zero());
-        Ok(positive || Function::new(self.scales().clone(), values.to_vec())?.positive_bound().is_ok())
+        Ok(positive || self.scales().function(values.to_vec())?.check_positive().is_ok())
     }
 
     /// The same with the area as one more condition, linear around what was found last.
@@ -219,14 +233,9 @@ impl<T: Scalar> NearestScale<T> {
     fn with(&self, row: Vec<T>, target: T, source: usize) -> Result<Self> {
         let rows: Vec<Functional<T>> =
             self.change.rows().iter().cloned().chain([Functional::new(0, row)]).collect();
-        Ok(Self {
-            change: LeastChange::new(self.scales(), &rows, self.norm)?,
-            area: None,
-            norm: self.norm,
-            targets: self.targets.iter().cloned().chain([target]).collect(),
-            sources: self.sources.iter().copied().chain([source]).collect(),
-            floor: self.floor.clone(),
-        })
+        let targets = self.targets.iter().cloned().chain([target]).collect();
+        let sources = self.sources.iter().copied().chain([source]).collect();
+        Self::of_rows(self.scales(), &rows, targets, sources, self.norm)?.above(self.floor.clone())
     }
 
     /// The nearest coefficients that are certainly those of a positive function.
@@ -248,12 +257,7 @@ impl<T: Scalar> NearestScale<T> {
 
     /// Whether already the values at some parameters cannot all be at or above the floor.
     fn none_is_positive(&self, wanted: &[T]) -> Result<bool> {
-        let scales = self.scales();
-        let places = scales.bisected()?.bisected()?.greville();
-        let (a, b) = scales.domain();
-        let knots = scales.breaks().into_iter().map(|(t, _)| t);
-        let inside: Vec<T> = places.into_iter().filter(|x| a <= x && x <= b).chain(knots).collect();
-        Ok(self.above_floor(wanted, &scales.evaluation(&inside)?)? == Above::None)
+        Ok(self.above_floor(wanted, &self.scales().sampling()?)? == Above::None)
     }
 
     /// The nearest coefficients on which all of `rows` are at or above the floor.

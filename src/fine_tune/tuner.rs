@@ -10,12 +10,13 @@ use crate::fine_tune::condition::Condition;
 use crate::fine_tune::ends::Ends;
 use crate::fine_tune::hold::Hold;
 use crate::fine_tune::nearest_scale::NearestScale;
+use crate::fine_tune::scale_space::check_values;
 use crate::fine_tune::table::Table;
 use crate::fine_tune::turn::Turnable;
 use crate::functional::weigh;
 use crate::scalar::Scalar;
 use crate::space::SplineSpace;
-use crate::spline::{Curve, Function};
+use crate::spline::Curve;
 use nalgebra::SVector;
 
 /// A curve prepared for fine tuning by scale functions of one space.
@@ -165,20 +166,14 @@ impl<T: Scalar, const N: usize> FineTuner<T, N> {
     /// [`fine_tuned`](Curve::fine_tuned); [`NoChord`](Error::NoChord) if the tuned curve is closed but its ends are to be
     /// held. Then `points` is as it was.
     pub fn tune_into(&self, alpha: &[T], points: &mut [SVector<T, N>]) -> Result<()> {
-        let lengths = [(self.scales().dim(), alpha.len()), (self.space().dim(), points.len())];
-        if let Some(&(expected, found)) = lengths.iter().find(|(expected, found)| expected != found) {
-            return Err(Error::CoefficientCount { expected, found });
+        if points.len() != self.space().dim() {
+            return Err(Error::CoefficientCount { expected: self.space().dim(), found: points.len() });
         }
-        if let Some(index) = alpha.iter().position(|value| !value.is_finite()) {
-            return Err(Error::NotFinite { what: "coefficient", index });
-        }
+        check_values(self.scales(), alpha, self.signed || self.nearest.is_some())?;
         if let Some(nearest) = &self.nearest {
             let nearest = nearest.near(alpha.to_vec(), self.signed)?;
             self.table.tune_into(&nearest, points);
             return Ok(());
-        }
-        if !self.signed && !alpha.iter().all(|value| *value > T::zero()) {
-            Function::new(self.scales().clone(), alpha.to_vec())?.positive_bound()?;
         }
         match &self.held {
             Some(held) => (held.tune)(self, held, alpha, points)?,

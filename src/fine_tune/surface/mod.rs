@@ -3,3 +3,6 @@
 pub mod path;
 pub mod edges;
 pub mod held;
+mod table;
+pub mod condition;
+pub mod tuner;

@@ -1,0 +1,253 @@
+//! Conditions on a fine-tuned surface, as conditions on the values of its scale function.
+//!
+//! For a fixed surface and path `T` is affine in the coefficients `a_j` of `α = Σ a_j φ_j`:
+//!
+//! ```text
+//! T = S(a, c) + Σ_j a_j G_j,     G_j what φ_j makes of S from the origin
+//! ```
+//! so that where `T` passes, whether its edges stay, and whether it closes, are linear conditions on `a`. Nothing is rotated or
+//! scaled, so that `∂T/∂v = α S_v` holds along the path.
+//!
+//! A scale that keeps the edges of every surface of some spaces, whatever its control points are, is `1` on the border, and its
+//! difference from `1` is orthogonal to the derivatives of those surfaces, line by line; for a given surface less is needed, and
+//! that is what is asked for here.
+
+use crate::coeff::Coeff;
+use crate::constrain::norm::{CoeffSpace, Norm};
+use crate::error::{Error, Result};
+use crate::fine_tune::nearest_scale::NearestScale;
+use crate::functional::Functional;
+use crate::limits::check_entries;
+use crate::scalar::Scalar;
+use crate::space::SplineSpace;
+use crate::tensor::along::Direction::{self, U, V};
+use crate::tensor::spline::Surface;
+use nalgebra::SVector;
+
+use super::edges::Edge;
+use super::path::Path;
+use super::tuner::SurfaceTuner;
+
+/// What a fine-tuned surface `T` of `S` must do; both start at one corner.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SurfaceCondition<T, const N: usize> {
+    /// An edge stays, and the derivatives across it up to `order`.
+    Edge {
+        /// Which.
+        edge: Edge,
+        /// The order.
+        order: usize,
+    },
+    /// The surface closes: both edges of `direction` are the same curve. Of a surface and a scale that are periodic there the
+    /// derivatives across the seam then agree as well.
+    Closed {
+        /// The direction that goes around.
+        direction: Direction,
+    },
+    /// A derivative at a point has a value: `∂_u^k ∂_v^l T(u, v) = value`, the point itself with `(0, 0)`.
+    Derivative {
+        /// `(u, v)`.
+        at: (T, T),
+        /// `(k, l)`.
+        order: (usize, usize),
+        /// The value.
+        value: SVector<T, N>,
+    },
+    /// `α(u, v) = value`.
+    Scale {
+        /// `(u, v)`.
+        at: (T, T),
+        /// The value.
+        value: T,
+    },
+    /// Coefficient `(i, j)` of `α` is `value`.
+    Coefficient {
+        /// `(i, j)`.
+        index: (usize, usize),
+        /// The value.
+        value: T,
+    },
+}
+
+impl<T: Scalar> NearestScale<T, (SplineSpace<T>, SplineSpace<T>)> {
+    /// The conditions on fine-tuned versions of `surface` along `path` by scale functions over the pair `scales`, nearness
+    /// measured by `norm`.
+    ///
+    /// To keep whole edges takes a scale with more coefficients than the surface has in each direction: some
+    /// `n + 2` where that has `n`.
+    ///
+    /// # Errors
+    /// [`Error::DomainMismatch`]; [`Error::OutsideDomain`] for the parameters of a condition; [`Error::IndexOutOfRange`];
+    /// [`TuneError::NoEdge`](crate::TuneError::NoEdge) if an edge is that of a direction in which the surface is periodic;
+    /// [`Error::CoefficientCount`] if there are too few lines of control points for the order at an edge; [`Error::NotFinite`];
+    /// [`Error::Discontinuous`] if the surface may jump; [`Error::TooLarge`].
+    ///
+    /// # Examples
+    /// A tube tuned around that stays closed, exactly:
+    /// ```
+    /// use nalgebra::vector;
+    /// use symspline::{Direction, NearestScale, Norm, Path, Q, Scalar, SplineSpace, Surface, SurfaceCondition, TensorSpline};
+    /// let ring = SplineSpace::uniform_periodic(2, 4, Q::int(0), Q::int(1))?;
+    /// let line = SplineSpace::bezier(1, Q::int(0), Q::int(1))?;
+    /// let corners = [(0, 0), (4, 0), (5, 3), (1, 4)];
+    /// let points = corners.iter().flat_map(|(x, y)| [0, 2].map(|z| vector![Q::int(*x), Q::int(*y), Q::int(z)]));
+    /// let tube = Surface::new(ring.clone(), line.clone(), points.collect())?;
+    /// let scales = (ring.derivative_space()?, line);
+    /// let closed = [SurfaceCondition::Closed { direction: Direction::U }];
+    /// let nearest = NearestScale::on_surface(&tube, (&scales.0, &scales.1), Path::VThenU, &closed, Norm::L2)?;
+    /// let wanted = TensorSpline::new(scales.0, scales.1, [2, 4, 3, 2, 2, 2, 2, 3].map(|a| Q::frac(a, 2)).to_vec())?;
+    /// let tuned = tube.fine_tuned(&nearest.to(&wanted)?, Path::VThenU)?;
+    /// let edge = |u: i64| tuned.isocurve(Direction::U, &Q::int(u));
+    /// assert_eq!(edge(0)?, edge(1)?);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    pub fn on_surface<const N: usize>(
+        surface: &Surface<T, N>,
+        scales: (&SplineSpace<T>, &SplineSpace<T>),
+        path: Path,
+        conditions: &[SurfaceCondition<T, N>],
+        norm: Norm,
+    ) -> Result<Self> {
+        let pair = (scales.0.clone(), scales.1.clone());
+        let tuner = SurfaceTuner::free(surface, scales, path)?.signed();
+        let mut rows = Rows {
+            tuner: &tuner,
+            images: Vec::new(),
+            rows: Vec::new(),
+            targets: Vec::new(),
+            sources: Vec::new(),
+        };
+        for (source, condition) in conditions.iter().enumerate() {
+            let before = rows.rows.len();
+            rows.add(surface, condition)?;
+            rows.sources.resize(rows.sources.len() + rows.rows.len() - before, source);
+        }
+        let Rows { rows, targets, sources, .. } = rows;
+        if let Some(row) = targets.iter().position(|target| !target.is_finite()) {
+            return Err(Error::NotFinite { what: "condition", index: sources[row] });
+        }
+        Self::of_rows(&pair, &rows, targets, sources, norm)
+    }
+}
+
+/// Linear conditions on the coefficients of a scale function.
+struct Rows<'a, T: Scalar, const N: usize> {
+    tuner: &'a SurfaceTuner<T, N>,
+    /// The origin of the tuned surfaces and the `G_j`, made when first needed.
+    images: Vec<Surface<T, N>>,
+    rows: Vec<Functional<T>>,
+    targets: Vec<T>,
+    sources: Vec<usize>,
+}
+
+impl<T: Scalar, const N: usize> Rows<'_, T, N> {
+    fn add(&mut self, surface: &Surface<T, N>, condition: &SurfaceCondition<T, N>) -> Result<()> {
+        match condition {
+            SurfaceCondition::Edge { edge, order } => {
+                let direction = edge.direction();
+                if surface.space(direction).is_periodic() {
+                    return Err(
+                        crate::error::tune::TuneError::NoEdge { direction: direction.to_string() }.into()
+                    );
+                }
+                self.make_images()?;
+                let invariant = surface.invariant(&self.images[0])?;
+                let count = invariant.space(direction).dim();
+                crate::fine_tune::ends::check_count(count, order.saturating_add(1))?;
+                for depth in 0..=*order {
+                    let line = if edge.is_end() { count - 1 - depth } else { depth };
+                    for across in 0..invariant.space(direction.other()).dim() {
+                        let point = |s: &Surface<T, N>| control(s, direction, line, across).clone();
+                        self.push(point, &point(&invariant));
+                    }
+                }
+            }
+            SurfaceCondition::Closed { direction } => {
+                self.make_images()?;
+                let [count, width] = [*direction, direction.other()].map(|d| self.images[0].space(d).dim());
+                for across in 0..width {
+                    let gap = |s: &Surface<T, N>| {
+                        control(s, *direction, count - 1, across).minus(control(s, *direction, 0, across))
+                    };
+                    self.push(gap, &SVector::zeros());
+                }
+            }
+            SurfaceCondition::Derivative { at, order, value } => {
+                self.make_images()?;
+                surface.derivative_at(&at.0, &at.1, order.0, order.1)?;
+                let derivative = |s: &Surface<T, N>| {
+                    s.derivative_at(&at.0, &at.1, order.0, order.1).expect("the same domain as before")
+                };
+                self.push(derivative, value);
+            }
+            SurfaceCondition::Scale { at, value } => {
+                let (u, v) = self.tuner.scales();
+                let [across, along] = [(u, &at.0), (v, &at.1)].map(|(space, x)| space.basis(x));
+                let (across, along) = (across?.to_dense(u.dim()), along?.to_dense(v.dim()));
+                let weights: Vec<T> =
+                    across.iter().flat_map(|a| along.iter().map(move |b| a.clone() * b)).collect();
+                self.rows.push(Functional::new(0, weights));
+                self.targets.push(value.clone());
+            }
+            SurfaceCondition::Coefficient { index, value } => {
+                let (u, v) = self.tuner.scales();
+                for (index, length) in [(index.0, u.dim()), (index.1, v.dim())] {
+                    if index >= length {
+                        return Err(Error::IndexOutOfRange { index, length });
+                    }
+                }
+                self.rows.push(Functional::new(index.0 * v.dim() + index.1, [T::one()]));
+                self.targets.push(value.clone());
+            }
+        }
+        Ok(())
+    }
+
+    /// Tunes the surface by zero and by each basis function.
+    fn make_images(&mut self) -> Result<()> {
+        if !self.images.is_empty() {
+            return Ok(());
+        }
+        let (u, v) = self.tuner.scales();
+        let count = (u.clone(), v.clone()).dim();
+        check_entries(
+            count + 1,
+            self.tuner.u().dim().saturating_mul(self.tuner.v().dim()).saturating_mul(N),
+        )?;
+        let mut alpha = vec![T::zero(); count];
+        let origin = self.tuner.tuned(&alpha)?;
+        let mut images = Vec::with_capacity(count + 1);
+        for j in 0..count {
+            alpha[j] = T::one();
+            images.push(self.tuner.tuned(&alpha)?.difference(&origin)?);
+            alpha[j] = T::zero();
+        }
+        images.insert(0, origin);
+        self.images = images;
+        Ok(())
+    }
+
+    /// `Σ_j a_j f(G_j) = value - f(S(a, c))` for each axis.
+    fn push(&mut self, functional: impl Fn(&Surface<T, N>) -> SVector<T, N>, value: &SVector<T, N>) {
+        let found: Vec<SVector<T, N>> = self.images.iter().map(functional).collect();
+        for axis in 0..N {
+            let weights: Vec<T> = found[1..].iter().map(|v| v[axis].clone()).collect();
+            self.rows.push(Functional::new(0, weights));
+            self.targets.push(value[axis].clone() - &found[0][axis]);
+        }
+    }
+}
+
+/// The control point on a line across a direction.
+fn control<T: Scalar, const N: usize>(
+    surface: &Surface<T, N>,
+    direction: Direction,
+    line: usize,
+    across: usize,
+) -> &SVector<T, N> {
+    let width = surface.v().dim();
+    match direction {
+        U => &surface.coeffs()[line * width + across],
+        V => &surface.coeffs()[across * width + line],
+    }
+}
