@@ -20,6 +20,12 @@ pub enum TuneError {
         /// The direction.
         direction: String,
     },
+    /// A part that goes all around a periodic surface does not close along this path.
+    #[error("the part goes all around in {direction}, but along this path nothing closes it")]
+    Open {
+        /// The direction.
+        direction: String,
+    },
     /// An edge of a rectangle inside the surface is not held.
     #[error("edge {edge} lies inside the surface and has to be held")]
     FreeEdge {

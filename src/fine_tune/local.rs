@@ -18,13 +18,12 @@ use crate::error::{Error, Result};
 use crate::fine_tune::condition::Condition;
 use crate::fine_tune::hold::{Held, Hold};
 use crate::fine_tune::nearest_scale::NearestScale;
+use crate::fine_tune::place::{Inside, room_for};
 use crate::fine_tune::scale::Scale;
 use crate::fine_tune::turn::Turnable;
 use crate::scalar::Scalar;
-use crate::space::SplineSpace;
 use crate::spline::{Curve, Function};
 use nalgebra::SVector;
-use std::iter::repeat_n;
 
 /// A curve with a portion of it fine-tuned, in up to three pieces.
 ///
@@ -117,13 +116,8 @@ impl<T: Scalar, const N: usize> LocallyTuned<T, N> {
     /// The whole curve with `portion` in the place of what it was there, and as smooth as what is held allows: `portion` is
     /// clamped, has the knots that the curve has inside, and its derivatives at the ends that are held.
     pub(crate) fn with_portion(&self, portion: &Curve<T, N>) -> Result<Curve<T, N>> {
-        let (p, (a, b)) = (portion.degree(), portion.domain());
-        let space = room_for(self.original.space(), portion.space(), self.order())?;
-        let breaks = space.breaks();
-        // Basis functions of the portion that have all their knots in the whole space too.
-        let lacking = |t: &T| (p + 1).saturating_sub(copies(&breaks, t));
-        let inner = lacking(a)..portion.coeffs().len() - lacking(b);
-        let first = space.knots().partition_point(|t| t < a);
+        let space = room_for(self.original.space(), portion.space(), [self.order(); 2])?;
+        let Inside { first, inner } = Inside::of(&space, portion.space());
         let mut points = self.original.embedded(&space)?.into_coeffs();
         // None in degree 0, where nothing can be tuned.
         let inner = portion.coeffs().get(inner).unwrap_or_default();
@@ -131,44 +125,6 @@ impl<T: Scalar, const N: usize> LocallyTuned<T, N> {
         points.iter_mut().skip(first).zip(inner).for_each(|(point, tuned)| point.clone_from(tuned));
         Curve::new(space, points)
     }
-}
-
-/// The smallest space that holds the splines of `space` with a portion from the clamped space `portion` in place, where
-/// derivatives up to `order` agree at both ends of it.
-fn room_for<T: Scalar>(
-    space: &SplineSpace<T>,
-    portion: &SplineSpace<T>,
-    order: usize,
-) -> Result<SplineSpace<T>> {
-    let (p, (a, b), (start, end)) = (portion.degree(), portion.domain(), space.domain());
-    let mut raised = space.elevated(p - space.degree())?;
-    if !raised.is_periodic() && (a == start || b == end) {
-        let t = raised.knots();
-        let outer = |clamped: bool, x: &T, knots: &[T]| {
-            if clamped { vec![x.clone(); p] } else { knots.to_vec() }
-        };
-        let before = outer(a == start, a, &t[..p]);
-        let after = outer(b == end, b, &t[t.len() - p..]);
-        raised = raised.with_outer_knots(&before, &after)?;
-    }
-    let (present, ring) = (raised.breaks(), raised.is_periodic());
-    let mut added = Vec::new();
-    for (t, count) in portion.breaks() {
-        let at_end = t == *a || t == *b;
-        // The seam of a ring is known by its start.
-        let (t, again) = if ring && t == *end { (start, a == start) } else { (&t, false) };
-        let wanted = if at_end { p.saturating_sub(order) } else { count };
-        if !again {
-            added.extend(repeat_n(t.clone(), wanted.saturating_sub(copies(&present, t))));
-        }
-    }
-    raised.refined(&added)
-}
-
-/// How many copies of `t` there are among `breaks`.
-fn copies<T: Scalar>(breaks: &[(T, usize)], t: &T) -> usize {
-    let place = breaks.partition_point(|(s, _)| s < t);
-    breaks.get(place).filter(|(s, _)| s == t).map_or(0, |(_, copies)| *copies)
 }
 
 impl<T: Scalar, const N: usize> Curve<T, N>

@@ -3,6 +3,7 @@
 pub mod scale;
 pub mod turn;
 mod ends;
+mod place;
 pub mod hold;
 pub mod condition;
 mod table;

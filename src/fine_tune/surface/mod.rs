@@ -6,3 +6,5 @@ pub mod held;
 mod table;
 pub mod condition;
 pub mod tuner;
+pub mod gap;
+pub mod local;
