@@ -39,7 +39,9 @@ pub enum SurfaceCondition<T, const N: usize> {
         order: usize,
     },
     /// The surface closes: both edges of `direction` are the same curve. Of a surface and a scale that are periodic there the
-    /// derivatives across the seam then agree as well.
+    /// derivatives across the seam then agree as well, as far as those of the scale do; so
+    /// [`projected`](crate::Spline::projected) along the direction to the periodic product space gives the same surface over
+    /// that.
     Closed {
         /// The direction that goes around.
         direction: Direction,

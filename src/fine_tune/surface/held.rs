@@ -77,7 +77,7 @@ where
             orders => {
                 let swept = self.swept(last, alpha)?;
                 let invariant = self.invariant(&swept)?;
-                lines_held(swept, &invariant, last, orders)
+                lines_held(&swept, &invariant, last, orders)
             }
         })?;
         let invariant = self.invariant(&walked)?;
@@ -102,7 +102,7 @@ impl<T: Scalar, const N: usize> Surface<T, N> {
 
 /// The surface with the ends of each line of control points along `direction` put back.
 fn lines_held<T: Scalar, const N: usize>(
-    tuned: Surface<T, N>,
+    tuned: &Surface<T, N>,
     invariant: &Surface<T, N>,
     direction: Direction,
     orders: [Option<usize>; 2],
@@ -110,14 +110,13 @@ fn lines_held<T: Scalar, const N: usize>(
 where
     SVector<T, N>: Turnable<T>,
 {
-    if direction == U {
-        return Ok(lines_held(tuned.transposed(), &invariant.transposed(), V, orders)?.transposed());
-    }
+    let turned = |s: &Surface<T, N>| if direction == V { s.clone() } else { s.transposed() };
+    let (tuned, invariant) = (turned(tuned), turned(invariant));
     let (u, v) = (tuned.u().clone(), tuned.v().clone());
     let mut points = tuned.into_coeffs();
     hold_lines(&mut points, invariant.coeffs(), v.dim(), orders)
-        .map_err(|(line, error)| in_line(error, U.other(), line))?;
-    Surface::new(u, v, points)
+        .map_err(|(line, error)| in_line(error, direction, line))?;
+    Ok(turned(&Surface::new(u, v, points)?))
 }
 
 /// Puts the ends of all lines of `length` control points back; an error comes with the index of its line.

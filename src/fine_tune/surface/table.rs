@@ -29,8 +29,6 @@ pub(crate) struct PathTable<T, const N: usize> {
     scales: [usize; 2],
     /// How many control points a line along the direction has.
     pub length: usize,
-    /// From the control points of a line to those, if the legs are those of a smaller space.
-    finish: Option<LinearMap<T>>,
     edge: Edge<T, N>,
     legs: Vec<Leg>,
     weights: Vec<SVector<T, N>>,
@@ -54,7 +52,7 @@ struct Leg {
 }
 
 impl<T: Scalar, const N: usize> PathTable<T, N> {
-    /// The table of the path that ends in `last`, for control points over `spaces`, along an edge that stays or is tuned.
+    /// The table of the path that ends in `last`, for control points over `spaces`, those of the surfaces of this path, along an edge that stays or is tuned.
     ///
     /// # Errors
     /// As [`fine_tuned`](Surface::fine_tuned) has them.
@@ -94,18 +92,12 @@ impl<T: Scalar, const N: usize> PathTable<T, N> {
         let across =
             onto(surface.u().multiplication(scales[0])?, &surface.u().product_space(scales[0])?, spaces[0])?;
         let opened = scales[1].clamped_ends()?;
-        let product = speed.v().product_space(&opened)?;
-        // Where the other path may jump no derivative tells the legs: they are those of the smaller space.
-        let (target, finish) = match spaces[1].derivative_space() {
-            Ok(target) => (target, None),
-            Err(_) => (product.clone(), Some(product.antiderivative_space()?.embedding(spaces[1])?)),
-        };
-        let along = onto(speed.v().multiplication(&opened)?, &product, &target)?;
+        let along = speed.v().multiplication(&opened)?;
+        let target = speed.v().product_space(&opened)?;
         let table = Self {
             last: V,
             scales: scales.map(SplineSpace::dim),
             length: spaces[1].dim(),
-            finish,
             edge,
             legs: Vec::new(),
             weights: Vec::new(),
@@ -189,23 +181,14 @@ impl<T: Scalar, const N: usize> PathTable<T, N> {
             }
         };
         let mut points = Vec::with_capacity(edge.len() * self.length);
-        let per_line = self.legs.len() / edge.len();
-        for (mut place, legs) in edge.into_iter().zip(self.legs.chunks_exact(per_line)) {
+        for (mut place, legs) in edge.into_iter().zip(self.legs.chunks_exact(self.length - 1)) {
             for leg in legs {
                 points.push(place.clone());
                 self.advance(&mut place, leg, alpha);
             }
             points.push(place);
         }
-        match &self.finish {
-            Some(map) => {
-                let line = |line: &[SVector<T, N>]| {
-                    map.rows().map(|(first, weights)| weigh(first, weights, line)).collect::<Vec<_>>()
-                };
-                points.chunks_exact(per_line + 1).flat_map(line).collect()
-            }
-            None => points,
-        }
+        points
     }
 
     /// Adds a leg to a place.

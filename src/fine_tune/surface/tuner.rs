@@ -8,6 +8,8 @@ use crate::fine_tune::scale::Scale;
 use crate::fine_tune::scale_space::check_values;
 use crate::fine_tune::surface::condition::SurfaceCondition;
 use crate::fine_tune::turn::Turnable;
+use crate::functional::weigh;
+use crate::map::LinearMap;
 use crate::scalar::Scalar;
 use crate::space::SplineSpace;
 use crate::tensor::along::Direction::{self, U, V};
@@ -42,12 +44,24 @@ pub struct SurfaceTuner<T: Scalar, const N: usize> {
     u: SplineSpace<T>,
     v: SplineSpace<T>,
     scales: (SplineSpace<T>, SplineSpace<T>),
-    /// One for each path, the second turned.
-    tables: Vec<PathTable<T, N>>,
+    /// One, or two of which the mean is taken.
+    ways: Vec<Way<T, N>>,
     held: Option<HeldEdges<T, N>>,
     nearest: Option<NearestScale<T, (SplineSpace<T>, SplineSpace<T>)>>,
     /// Whether scale functions may have any sign.
     signed: bool,
+}
+
+/// One path.
+#[derive(Clone, Debug)]
+struct Way<T, const N: usize> {
+    table: PathTable<T, N>,
+    /// The control points of the invariant surface, line after line as the table has them; none if no ends of
+    /// lines are held.
+    invariant: Vec<SVector<T, N>>,
+    /// From the control points of this path to those of the mean, across and along the direction in which it ends, where these
+    /// are others.
+    finish: [Option<LinearMap<T>>; 2],
 }
 
 /// What it takes to put edges back.
@@ -55,8 +69,6 @@ pub struct SurfaceTuner<T: Scalar, const N: usize> {
 struct HeldEdges<T, const N: usize> {
     edges: Edges,
     invariant: Vec<SVector<T, N>>,
-    /// The same line after line along `u`.
-    turned: Vec<SVector<T, N>>,
     /// [`hold_lines`], known where the vectors are known to turn.
     hold: HoldLines<T, N>,
 }
@@ -130,17 +142,15 @@ impl<T: Scalar, const N: usize> SurfaceTuner<T, N> {
         SVector<T, N>: Turnable<T>,
     {
         edges.check(surface)?;
-        let tuner = Self::with_edges(surface, scales, path, edges)?;
+        let mut tuner = Self::with_edges(surface, scales, path, edges)?;
         if edges == Edges::default() {
             return Ok(tuner);
         }
         let shape = Surface::constant(tuner.u.clone(), tuner.v.clone(), SVector::zeros())?;
-        let invariant = surface.invariant(&shape)?;
-        let turned = invariant.transposed().into_coeffs();
-        let held = HeldEdges { edges, invariant: invariant.into_coeffs(), turned, hold: hold_lines };
-        let tuner = Self { held: Some(held), ..tuner };
+        let invariant = surface.invariant(&shape)?.into_coeffs();
+        tuner.held = Some(HeldEdges { edges, invariant, hold: hold_lines });
         // The scale one says what no scale can hold.
-        let mut points = vec![SVector::zeros(); shape.coeffs().len()];
+        let mut points = shape.into_coeffs();
         tuner.walk(&vec![T::one(); scales.0.dim() * scales.1.dim()], &mut points)?;
         Ok(tuner)
     }
@@ -153,26 +163,41 @@ impl<T: Scalar, const N: usize> SurfaceTuner<T, N> {
     ) -> Result<Self> {
         let one = TensorSpline::constant(scales.0.clone(), scales.1.clone(), T::one())?;
         let is_held = |last: Direction| edges.orders(last) != [None, None];
-        let shape = path.walked(|last| {
+        let shape = |last: Direction| {
             if is_held(last) {
                 surface.swept(last, &one)
             } else {
                 surface.fine_tuned(Scale::Signed(&one), Path::ending_in(last))
             }
-        })?;
+        };
         let lasts: &[Direction] = match path {
             Path::UThenV => &[V],
             Path::VThenU => &[U],
             Path::Both => &[V, U],
         };
-        let table = |last: &Direction| {
-            let spaces = [shape.u(), shape.v()];
-            PathTable::new(surface, [scales.0, scales.1], *last, spaces, is_held(*last))
+        let shapes: Vec<Surface<T, N>> = lasts.iter().map(|last| shape(*last)).collect::<Result<_>>()?;
+        let common = match shapes.as_slice() {
+            [uv, vu] => uv.sum(vu)?,
+            other => other[0].clone(),
+        };
+        let way = |(last, shape): (&Direction, &Surface<T, N>)| {
+            let map = |direction: Direction| {
+                let (from, to) = (shape.space(direction), common.space(direction));
+                (from != to).then(|| from.embedding(to)).transpose()
+            };
+            let table =
+                PathTable::new(surface, [scales.0, scales.1], *last, [shape.u(), shape.v()], is_held(*last))?;
+            let lines = |s: Surface<T, N>| if *last == V { s } else { s.transposed() };
+            let invariant = match is_held(*last) {
+                true => lines(surface.invariant(shape)?).into_coeffs(),
+                false => Vec::new(),
+            };
+            Ok(Way { table, invariant, finish: [map(last.other())?, map(*last)?] })
         };
         Ok(Self {
-            tables: lasts.iter().map(table).collect::<Result<_>>()?,
-            u: shape.u().clone(),
-            v: shape.v().clone(),
+            ways: lasts.iter().zip(&shapes).map(way).collect::<Result<_>>()?,
+            u: common.u().clone(),
+            v: common.v().clone(),
             scales: (scales.0.clone(), scales.1.clone()),
             held: None,
             nearest: None,
@@ -239,15 +264,14 @@ impl<T: Scalar, const N: usize> SurfaceTuner<T, N> {
 
     /// The control points, after each path the ends of its lines held, then the edges.
     fn walk(&self, alpha: &[T], points: &mut [SVector<T, N>]) -> Result<()> {
-        let mut paths = Vec::with_capacity(self.tables.len());
-        for table in &self.tables {
-            let mut lines = table.lines(alpha);
+        let mut paths = Vec::with_capacity(self.ways.len());
+        for way in &self.ways {
+            let (mut lines, last) = (way.table.lines(alpha), way.table.last);
             if let Some(held) = &self.held {
-                let invariant = if table.last == V { &held.invariant } else { &held.turned };
-                (held.hold)(&mut lines, invariant, table.length, held.edges.orders(table.last))
-                    .map_err(|(line, error)| in_line(error, table.last, line))?;
+                (held.hold)(&mut lines, &way.invariant, way.table.length, held.edges.orders(last))
+                    .map_err(|(line, error)| in_line(error, last, line))?;
             }
-            paths.push(if table.last == V { lines } else { transposed(&lines, table.length) });
+            paths.push(way.finished(lines));
         }
         let mut paths = paths.into_iter();
         let mut mean = paths.next().unwrap_or_default();
@@ -264,4 +288,35 @@ impl<T: Scalar, const N: usize> SurfaceTuner<T, N> {
         points.clone_from_slice(&mean);
         Ok(())
     }
+}
+
+impl<T: Scalar, const N: usize> Way<T, N> {
+    /// The control points of this path row by row, among those of the mean.
+    fn finished(&self, mut lines: Vec<SVector<T, N>>) -> Vec<SVector<T, N>> {
+        let [across, along] = &self.finish;
+        let mut length = self.table.length;
+        if let Some(map) = along {
+            lines = mapped(&lines, length, map);
+            length = map.target_dim();
+        }
+        match (across, self.table.last) {
+            (None, V) => lines,
+            (None, U) => transposed(&lines, length),
+            (Some(map), last) => {
+                let turned = transposed(&lines, length);
+                let turned = mapped(&turned, turned.len() / length, map);
+                if last == U { turned } else { transposed(&turned, map.target_dim()) }
+            }
+        }
+    }
+}
+
+/// The image of each line of some length.
+fn mapped<T: Scalar, const N: usize>(
+    lines: &[SVector<T, N>],
+    length: usize,
+    map: &LinearMap<T>,
+) -> Vec<SVector<T, N>> {
+    let image = |line| map.rows().map(move |(first, weights)| weigh(first, weights, line));
+    lines.chunks_exact(length).flat_map(image).collect()
 }
