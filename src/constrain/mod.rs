@@ -2,6 +2,7 @@
 
 pub mod norm;
 mod orthogonal;
+pub(crate) mod independent;
 pub mod change;
 pub(crate) mod above;
 pub mod sparse;

@@ -9,6 +9,7 @@
 
 use crate::constrain::above::{Above, nearest_above};
 use crate::constrain::change::LeastChange;
+use crate::constrain::independent::independent;
 use crate::constrain::norm::Norm;
 use crate::error::{Error, Result};
 use crate::fine_tune::area::AreaForm;
@@ -16,6 +17,7 @@ use crate::fine_tune::condition::{Condition, Rows};
 use crate::fine_tune::scale::ScaleFunction;
 use crate::fine_tune::scale_space::ScaleSpace;
 use crate::functional::Functional;
+use crate::limits::check_entries;
 use crate::map::LinearMap;
 use crate::scalar::{Scalar, larger};
 use crate::space::SplineSpace;
@@ -57,7 +59,17 @@ pub struct NearestScale<T: Scalar, S = SplineSpace<T>> {
     norm: Norm,
     targets: Vec<T>,
     sources: Vec<usize>,
+    /// What follows from the other conditions, but for rounding, if these do not contradict each other.
+    implied: Vec<Implied<T>>,
     floor: T,
+}
+
+/// A condition that follows from others, its weights at most about one.
+#[derive(Clone, Debug)]
+struct Implied<T> {
+    row: Functional<T>,
+    target: T,
+    source: usize,
 }
 
 impl<T: Scalar> NearestScale<T> {
@@ -88,7 +100,26 @@ impl<T: Scalar, S: ScaleSpace<T>> NearestScale<T, S> {
         norm: Norm,
     ) -> Result<Self> {
         let change = LeastChange::new(scales, rows, norm)?;
-        Ok(Self { change, area: None, norm, targets, sources, floor: T::frac(1, 100) })
+        Ok(Self { change, area: None, norm, targets, sources, implied: Vec::new(), floor: T::frac(1, 100) })
+    }
+
+    /// As [`of_rows`](Self::of_rows) for rows of one scale of which many follow from few; in floating point only those are taken
+    /// that say more than rounding.
+    pub(crate) fn of_independent_rows(
+        scales: &S,
+        rows: &[Functional<T>],
+        targets: &[T],
+        sources: &[usize],
+        norm: Norm,
+    ) -> Result<Self> {
+        check_entries(rows.len(), scales.dim())?;
+        let taken = independent(rows, scales.dim());
+        let chosen = |i: &usize| (rows[*i].clone(), (targets[*i].clone(), sources[*i]));
+        let (own, (values, from)): (Vec<_>, (Vec<_>, Vec<_>)) = taken.iter().map(chosen).unzip();
+        let others = (0..rows.len()).filter(|i| taken.len() < rows.len() && !taken.contains(i));
+        let implied =
+            others.map(|i| Implied { row: rows[i].clone(), target: targets[i].clone(), source: sources[i] });
+        Ok(Self { implied: implied.collect(), ..Self::of_rows(scales, &own, values, from, norm)? })
     }
 
     /// The same with another floor, which the control values keep above where the nearest scale function would not be
@@ -159,6 +190,12 @@ impl<T: Scalar, S: ScaleSpace<T>> NearestScale<T, S> {
                 Error::NotFinite { what, index } => Error::NotFinite { what, index: self.sources[index] },
                 other => other,
             })?;
+        }
+        for Implied { row, target, source } in &self.implied {
+            let size = values.iter().map(T::magnitude).fold(target.magnitude(), larger);
+            if (row.apply(&values) - target).magnitude() > size * T::frac(1, 1 << 32) {
+                return Err(Error::Clash { condition: *source });
+            }
         }
         if signed || self.is_positive(&values)? { Ok(values) } else { self.nearest_positive(&wanted) }
     }

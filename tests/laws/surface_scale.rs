@@ -88,6 +88,36 @@ proptest! {
     }
 
     #[test]
+    fn floats_keep_edges_as_fractions_do(
+        s in surface::<2>(SHAPE, SHAPE),
+        edges in subsequence(Edge::ALL.to_vec(), 1..=4),
+        pool in coeffs(number().boxed()),
+        path in select(&PATHS[..]),
+    ) {
+        let (s, wanted) = (s.to_f64()?, filled(&scales(&s, 2, 4)?, &pool)?.to_f64()?);
+        let conditions: Vec<_> = edges.iter().map(|edge| SurfaceCondition::Edge { edge: *edge, order: 0 }).collect();
+        let exact = s.to_exact()?;
+        let scales = (wanted.u(), wanted.v());
+        let nearest = NearestScale::on_surface(&s, scales, path, &conditions, Norm::Coefficients)?;
+        let alpha = nearest.to_signed(&wanted)?;
+        let tuned = s.fine_tuned(Scale::Signed(&alpha), path)?;
+        let most = |c: &[f64]| c.iter().fold(1.0, |m: f64, x| m.max(x.abs()));
+        let coordinates: Vec<f64> = s.coeffs().iter().flat_map(|c| c.iter().copied()).collect();
+        let size = most(&coordinates) * most(wanted.coeffs());
+        for edge in &edges {
+            let (a, b) = s.space(edge.direction()).domain();
+            let end = if edge.is_end() { b } else { a };
+            let [found, was] = [&tuned, &s].map(|s| s.isocurve(edge.direction(), end));
+            prop_assert!(found?.distance_bound(&was?)? <= 1e-9 * size, "{}", edge);
+        }
+        let exactly_wanted = wanted.to_exact()?;
+        let pair = (exactly_wanted.u(), exactly_wanted.v());
+        let fractions: Vec<_> = edges.iter().map(|edge| SurfaceCondition::Edge { edge: *edge, order: 0 }).collect();
+        let exactly = NearestScale::on_surface(&exact, pair, path, &fractions, Norm::Coefficients)?;
+        prop_assert_eq!(nearest.rank(), exactly.rank());
+    }
+
+    #[test]
     fn rings_close(
         s in surface::<2>(RING.of_degree(1, 2).smooth(1).few(2), ANY.of_degree(1, 2).smooth(1).few(1)),
         pool in coeffs(number().boxed()),

@@ -14,11 +14,14 @@
 
 use crate::coeff::Coeff;
 use crate::constrain::norm::{CoeffSpace, Norm};
+use crate::error::tune::TuneError;
 use crate::error::{Error, Result};
+use crate::fine_tune::ends::check_count;
 use crate::fine_tune::nearest_scale::NearestScale;
 use crate::functional::Functional;
 use crate::limits::check_entries;
-use crate::scalar::Scalar;
+use crate::ops::bound::epsilon;
+use crate::scalar::{Scalar, larger};
 use crate::space::SplineSpace;
 use crate::tensor::along::Direction::{self, U, V};
 use crate::tensor::spline::Surface;
@@ -122,13 +125,16 @@ impl<T: Scalar> NearestScale<T, (SplineSpace<T>, SplineSpace<T>)> {
         for (source, condition) in conditions.iter().enumerate() {
             let before = rows.rows.len();
             rows.add(surface, condition)?;
-            rows.sources.resize(rows.sources.len() + rows.rows.len() - before, source);
+            if !matches!(condition, SurfaceCondition::Scale { .. } | SurfaceCondition::Coefficient { .. }) {
+                rows.settle(before);
+            }
+            rows.sources.resize(rows.rows.len(), source);
         }
         let Rows { rows, targets, sources, .. } = rows;
         if let Some(row) = targets.iter().position(|target| !target.is_finite()) {
             return Err(Error::NotFinite { what: "condition", index: sources[row] });
         }
-        Self::of_rows(&pair, &rows, targets, sources, norm)
+        Self::of_independent_rows(&pair, &rows, &targets, &sources, norm)
     }
 }
 
@@ -148,19 +154,15 @@ impl<T: Scalar, const N: usize> Rows<'_, T, N> {
             SurfaceCondition::Edge { edge, order } => {
                 let direction = edge.direction();
                 if surface.space(direction).is_periodic() {
-                    return Err(
-                        crate::error::tune::TuneError::NoEdge { direction: direction.to_string() }.into()
-                    );
+                    return Err(TuneError::NoEdge { direction: direction.to_string() }.into());
                 }
                 self.make_images()?;
-                let invariant = surface.invariant(&self.images[0])?;
-                let count = invariant.space(direction).dim();
-                crate::fine_tune::ends::check_count(count, order.saturating_add(1))?;
+                let [count, width] = [direction, direction.other()].map(|d| self.images[0].space(d).dim());
+                check_count(count, order.saturating_add(1))?;
                 for depth in 0..=*order {
                     let line = if edge.is_end() { count - 1 - depth } else { depth };
-                    for across in 0..invariant.space(direction.other()).dim() {
-                        let point = |s: &Surface<T, N>| control(s, direction, line, across).clone();
-                        self.push(point, &point(&invariant));
+                    for across in 0..width {
+                        self.push(|s| control(s, direction, line, across).clone(), None);
                     }
                 }
             }
@@ -171,7 +173,7 @@ impl<T: Scalar, const N: usize> Rows<'_, T, N> {
                     let gap = |s: &Surface<T, N>| {
                         control(s, *direction, count - 1, across).minus(control(s, *direction, 0, across))
                     };
-                    self.push(gap, &SVector::zeros());
+                    self.push(gap, Some(&SVector::zeros()));
                 }
             }
             SurfaceCondition::Derivative { at, order, value } => {
@@ -180,7 +182,7 @@ impl<T: Scalar, const N: usize> Rows<'_, T, N> {
                 let derivative = |s: &Surface<T, N>| {
                     s.derivative_at(&at.0, &at.1, order.0, order.1).expect("the same domain as before")
                 };
-                self.push(derivative, value);
+                self.push(derivative, Some(value));
             }
             SurfaceCondition::Scale { at, value } => {
                 let (u, v) = self.tuner.scales();
@@ -229,13 +231,38 @@ impl<T: Scalar, const N: usize> Rows<'_, T, N> {
         Ok(())
     }
 
-    /// `Σ_j a_j f(G_j) = value - f(S(a, c))` for each axis.
-    fn push(&mut self, functional: impl Fn(&Surface<T, N>) -> SVector<T, N>, value: &SVector<T, N>) {
+    /// `Σ_j a_j f(G_j) = value - f(S(a, c))` for each axis, without a value what it is for `α = 1`.
+    fn push(&mut self, functional: impl Fn(&Surface<T, N>) -> SVector<T, N>, value: Option<&SVector<T, N>>) {
         let found: Vec<SVector<T, N>> = self.images.iter().map(functional).collect();
         for axis in 0..N {
             let weights: Vec<T> = found[1..].iter().map(|v| v[axis].clone()).collect();
+            self.targets.push(match value {
+                Some(value) => value[axis].clone() - &found[0][axis],
+                None => weights.iter().fold(T::zero(), |sum, w| sum + w),
+            });
             self.rows.push(Functional::new(0, weights));
-            self.targets.push(value[axis].clone() - &found[0][axis]);
+        }
+    }
+
+    /// In floating point brings the rows of one condition on the shape, those from index `from` on, to weights of at most one, and drops
+    /// weights that are rounding.
+    fn settle(&mut self, from: usize) {
+        if T::EXACT {
+            return;
+        }
+        let rows = &mut self.rows[from..];
+        let weights = rows.iter().flat_map(|row| row.weights());
+        let mut largest = weights.map(T::magnitude).fold(T::zero(), larger);
+        // Rounding of what the images are made of does not make a row.
+        let image = self.images.iter().flat_map(|s| s.coeffs()).flat_map(|c| c.iter());
+        let noise = image.map(T::magnitude).fold(T::zero(), larger) * epsilon::<T>() * T::int(64);
+        if largest <= noise {
+            largest = T::one();
+        }
+        for (row, target) in rows.iter_mut().zip(&mut self.targets[from..]) {
+            let kept = |w: &T| if w.magnitude() <= noise { T::zero() } else { w.clone() / &largest };
+            *row = Functional::new(row.first(), row.weights().iter().map(kept).collect::<Vec<_>>());
+            *target /= &largest;
         }
     }
 }
