@@ -1,6 +1,8 @@
 //! What the examples share: the data of the repository as curves, and pictures as files.
 #![allow(dead_code, reason = "no example needs all of it")]
 
+pub mod solid;
+
 use nalgebra::{SVector, vector};
 use std::error::Error;
 use std::path::{Path, PathBuf};

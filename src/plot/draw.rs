@@ -2,6 +2,7 @@
 
 use kurbo::{Point, Rect};
 
+use crate::error::Result;
 use crate::plot::header::{Entry, Placed};
 use crate::plot::layout::{Frame, Layout, TICK};
 use crate::plot::panel::Panel;
@@ -17,10 +18,20 @@ const GRID: Style = Style::line(Color::new(230, 230, 230)).width(1.0);
 const ZERO: Style = Style::line(Color::new(175, 175, 175)).width(1.0);
 
 /// The SVG text of a figure.
-pub(super) fn drawn(layout: &Layout, panels: &[Panel]) -> String {
+///
+/// # Errors
+/// [`Error::Drawing`](crate::Error::Drawing) if there is no memory for a picture.
+pub(super) fn drawn(layout: &Layout, panels: &[Panel]) -> Result<String> {
     let mut svg = Svg::new(layout.width, layout.height);
     block(&mut svg, &layout.title, Anchor::Middle, false);
     for (i, (panel, frame)) in panels.iter().zip(&layout.frames).enumerate() {
+        if !panel.gallery.is_empty() {
+            let hung = panel.gallery.hung(frame.area.width(), panel.height);
+            hung.draw(&mut svg, frame.area.origin(), &format!("colors-{i}"))?;
+            block(&mut svg, &frame.title, Anchor::Start, false);
+            block(&mut svg, &frame.x_label, Anchor::Middle, false);
+            continue;
+        }
         grid(&mut svg, frame, !panel.equal_axes);
         svg.open_clipped(&format!("plot-{i}"), frame.area);
         for series in &panel.series {
@@ -35,7 +46,7 @@ pub(super) fn drawn(layout: &Layout, panels: &[Panel]) -> String {
             annotation(&mut svg, frame, series);
         }
     }
-    svg.finish()
+    Ok(svg.finish())
 }
 
 /// Lines at the ticks, that of `y = 0` darker if asked.

@@ -1,10 +1,10 @@
 //! The figure: panels below each other, as SVG or PNG.
 
-use std::fs;
 use std::path::Path;
 
 use crate::error::{Error, Result};
 use crate::plot::draw::drawn;
+use crate::plot::file::write;
 use crate::plot::layout::layout;
 use crate::plot::panel::Panel;
 use crate::plot::png::png;
@@ -58,7 +58,7 @@ impl Figure {
         }
         self.panels.iter().try_for_each(Panel::check)?;
         let layout = layout(&self.title, self.width, &self.panels)?;
-        Ok(drawn(&layout, &self.panels))
+        drawn(&layout, &self.panels)
     }
 
     /// The figure as the bytes of a PNG file, `scale` pixels for each pixel of the figure.
@@ -87,20 +87,14 @@ impl Figure {
     }
 }
 
-fn write(path: &Path, bytes: &[u8]) -> Result<()> {
-    let fail =
-        |error: std::io::Error| Error::Io { path: path.display().to_string(), message: error.to_string() };
-    if let Some(folder) = path.parent().filter(|folder| !folder.as_os_str().is_empty()) {
-        fs::create_dir_all(folder).map_err(fail)?;
-    }
-    fs::write(path, bytes).map_err(fail)
-}
-
 #[cfg(test)]
 mod tests {
-    use resvg::usvg;
+    use std::fs;
+
+    use resvg::{tiny_skia, usvg};
 
     use super::*;
+    use crate::plot::solid::{ColorMap, ColorScale, Image};
     use crate::plot::style::{Color, Marker, Style};
     use crate::plot::text::options;
     use kurbo::BezPath;
@@ -190,6 +184,44 @@ mod tests {
         for scale in [0.0, -1.0, f64::NAN, f64::INFINITY, 100.0] {
             assert!(matches!(rich().to_png(scale), Err(Error::Drawing { .. })));
         }
+    }
+
+    fn pictures() -> Panel {
+        let image = |color| Image::new(40, vec![color; 40 * 30]).unwrap();
+        let scale = ColorScale::new(ColorMap::diverging(), -2.0, 2.0).unwrap();
+        let panel = Panel::new().title("Pictures").x_label("below");
+        let panel = panel.picture("one", image(Color::BLUE)).picture("two", image(Color::GREEN));
+        panel.color_bar(&scale, "value")
+    }
+
+    #[test]
+    fn pictures_and_color_bars_are_drawn() {
+        let figure = Figure::new(500.0).panel(rich().panels[0].clone()).panel(pictures().x_from_above());
+        let pixels = tiny_skia::Pixmap::decode_png(&figure.to_png(1.0).unwrap()).unwrap();
+        // A gradient meets the colours of its ends only nearly.
+        let count = |color: Color| {
+            let near = |p: &&tiny_skia::PremultipliedColorU8| {
+                let off = |found: u8, wanted: u8| found.abs_diff(wanted) <= 16;
+                off(p.red(), color.red) && off(p.green(), color.green) && off(p.blue(), color.blue)
+            };
+            pixels.pixels().iter().filter(near).count()
+        };
+        // Each takes about a third of the width.
+        assert!(count(Color::BLUE) > 12_000 && count(Color::GREEN) > 12_000);
+        assert!(count(ColorMap::diverging().at(0.0)) > 5 && count(ColorMap::diverging().at(1.0)) > 5);
+        let svg = figure.to_svg().unwrap();
+        for text in ["one", "two", "value", "Pictures", "below", "−2"] {
+            assert!(svg.contains(&format!(">{text}</text>")), "{text}");
+        }
+    }
+
+    #[test]
+    fn pictures_are_not_drawn_on_axes() {
+        let mixed = pictures().polyline([(0.0, 0.0), (1.0, 1.0)], Color::BLUE);
+        assert!(matches!(Figure::new(500.0).panel(mixed).to_svg(), Err(Error::Drawing { .. })));
+        let bar =
+            Panel::new().color_bar(&ColorScale::new(ColorMap::sequential(), 0.0, 1.0).unwrap(), "alone");
+        assert!(Figure::new(300.0).panel(bar).panel(pictures().height(60.0)).to_png(1.0).is_ok());
     }
 
     #[test]

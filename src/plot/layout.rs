@@ -89,7 +89,8 @@ pub(super) fn layout(title: &str, width: f64, panels: &[Panel]) -> Result<Layout
         cursor = frame.area.y1;
         if last {
             let label = &frame.x_label.block;
-            cursor += TICK + 1.6 * SMALL + if label.lines.is_empty() { 0.0 } else { label.height() + 4.0 };
+            cursor += if panel.gallery.is_empty() { TICK + 1.6 * SMALL } else { 0.0 };
+            cursor += if label.lines.is_empty() { 0.0 } else { label.height() + 4.0 };
         }
         check_reach(panel, &frame)?;
         frames.push(frame);
@@ -125,9 +126,32 @@ struct Sized {
     y_label: Block,
 }
 
+impl Sized {
+    /// Of a panel with pictures instead of axes.
+    fn gallery(panel: &Panel, room: f64) -> Self {
+        let height = panel.gallery.hung(room, panel.height).height;
+        Self {
+            plot: Scaled { x: Range::UNIT, y: Range::UNIT, height },
+            x_ticks: Vec::new(),
+            y_ticks: Vec::new(),
+            numbered: false,
+            x_label: Block::new(&panel.x_label, LABEL, room),
+            y_label: Block::new("", LABEL, height),
+        }
+    }
+}
+
 fn sized(panels: &[Panel], room: f64) -> Result<Vec<Sized>> {
     let mut all = Vec::new();
-    for group in panels.chunk_by(|_, next| next.x_from_above) {
+    let shared =
+        |one: &Panel, next: &Panel| next.x_from_above && one.gallery.is_empty() && next.gallery.is_empty();
+    for group in panels.chunk_by(shared) {
+        if let [panel] = group
+            && !panel.gallery.is_empty()
+        {
+            all.push(Sized::gallery(panel, room));
+            continue;
+        }
         let label = group.iter().rev().map(|panel| panel.x_label.as_str()).find(|label| !label.is_empty());
         for (i, (panel, plot)) in group.iter().zip(scaled(group, room)?).enumerate() {
             let numbered = i + 1 == group.len();
@@ -190,7 +214,8 @@ fn framed(panel: &Panel, sized: Sized, top: f64, margins: Margins, width: f64) -
     let header = header(panel, left, right, top);
     let upper = (top + header.height).floor() + 0.5;
     let area = Rect::new(left, upper, right, upper + sized.plot.height);
-    let below = area.y1 + TICK + 1.6 * SMALL + 4.0 + 0.8 * sized.x_label.size;
+    let numbers = if panel.gallery.is_empty() { TICK + 1.6 * SMALL } else { 0.0 };
+    let below = area.y1 + numbers + 4.0 + 0.8 * sized.x_label.size;
     let (x_label, y_label) = (sized.x_label, sized.y_label);
     Frame {
         area,

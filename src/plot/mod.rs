@@ -5,7 +5,8 @@
 //! panels below each other may share their x axis ([`Panel::x_from_above`]). Curves stay curves: an SVG
 //! holds the cubics it was given, with coordinates in fractions of a pixel.
 //!
-//! Splines become paths by [`curve_path`] and [`graph_path`]; nothing else here knows them.
+//! Splines become paths by [`curve_path`] and [`graph_path`]. Surfaces in space become shaded pictures, with curvature as
+//! colour, by what [`solid`] holds; a panel shows [pictures](Panel::picture) instead of axes.
 //!
 //! # Examples
 //! ```
@@ -28,10 +29,13 @@
 //! ```
 
 mod trace;
+mod file;
 mod style;
 mod svg;
 mod text;
 mod axis;
+pub mod solid;
+mod gallery;
 mod series;
 mod panel;
 mod scale;
@@ -45,5 +49,8 @@ mod figure;
 pub use figure::Figure;
 pub use kurbo::{BezPath, Point};
 pub use panel::Panel;
+pub use solid::{
+    ColorMap, ColorScale, Image, Mesh, Meshed, Paint, Scene, View, control_net, glb, knot_lines, write_glb,
+};
 pub use style::{Color, Dash, Marker, Style};
 pub use trace::{curve_path, graph_path};

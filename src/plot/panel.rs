@@ -4,7 +4,9 @@ use kurbo::{BezPath, Point};
 
 use crate::error::{Error, Result};
 use crate::plot::axis::Range;
+use crate::plot::gallery::Gallery;
 use crate::plot::series::{Data, Series};
+use crate::plot::solid::{ColorScale, Image};
 use crate::plot::style::{Marker, Style};
 
 /// One pair of axes with series, drawn in the order in which they were added.
@@ -37,6 +39,7 @@ pub struct Panel {
     pub(super) y_range: Option<Range>,
     pub(super) height: Option<f64>,
     pub(super) series: Vec<Series>,
+    pub(super) gallery: Gallery,
 }
 
 impl Panel {
@@ -177,12 +180,29 @@ impl Panel {
         self
     }
 
+    /// Shows a picture with a caption above it, right of those before. A panel of pictures has no axes and no series.
+    ///
+    /// Pictures fill the width, all equally high, or the height that is set.
+    pub fn picture(mut self, caption: impl Into<String>, image: Image) -> Self {
+        self.gallery.pictures.push((caption.into(), image));
+        self
+    }
+
+    /// Shows which colours values have, at the right of the pictures. A pointed end says that values lie beyond it.
+    pub fn color_bar(mut self, scale: &ColorScale, label: impl Into<String>) -> Self {
+        self.gallery.bars.push((scale.clone(), label.into()));
+        self
+    }
+
     /// Refuses what cannot be drawn.
     ///
     /// # Errors
     /// [`Error::NotFinite`] and [`Error::Drawing`], as the outputs of a figure document them.
     pub(super) fn check(&self) -> Result<()> {
         self.series.iter().try_for_each(Series::check)?;
+        if !self.gallery.is_empty() && !self.series.is_empty() {
+            return Err(Error::Drawing { message: "a panel shows pictures or series, not both".into() });
+        }
         for range in [self.x_range, self.y_range].into_iter().flatten() {
             if let Some(index) = [range.lo, range.hi].iter().position(|end| !end.is_finite()) {
                 return Err(Error::NotFinite { what: "end of a range", index });

@@ -98,6 +98,28 @@ impl Svg {
         ));
     }
 
+    /// Shows a picture by its address.
+    pub(super) fn image(&mut self, area: Rect, address: &str) {
+        let [x, y, w, h] = [area.x0, area.y0, area.width(), area.height()].map(number);
+        self.push(&format!(
+            "<image x=\"{x}\" y=\"{y}\" width=\"{w}\" height=\"{h}\" preserveAspectRatio=\"none\" href=\"{address}\"/>"
+        ));
+    }
+
+    /// Fills a rectangle with colours from top to bottom.
+    pub(super) fn gradient(&mut self, id: &str, area: Rect, colors: &[Color]) {
+        let last = colors.len().saturating_sub(1).max(1) as f64;
+        let stop = |(i, color): (usize, &Color)| {
+            format!("<stop offset=\"{}\" stop-color=\"{}\"/>", number(i as f64 / last), color.hex())
+        };
+        let stops: String = colors.iter().enumerate().map(stop).collect();
+        self.push(&format!(
+            "<linearGradient id=\"{id}\" x1=\"0\" y1=\"0\" x2=\"0\" y2=\"1\">{stops}</linearGradient>"
+        ));
+        let [x, y, w, h] = [area.x0, area.y0, area.width(), area.height()].map(number);
+        self.push(&format!("<rect x=\"{x}\" y=\"{y}\" width=\"{w}\" height=\"{h}\" fill=\"url(#{id})\"/>"));
+    }
+
     /// Opens a group clipped to a rectangle, to be closed by [`Svg::close`].
     pub(super) fn open_clipped(&mut self, id: &str, area: Rect) {
         let [x, y, w, h] = [area.x0, area.y0, area.width(), area.height()].map(number);
