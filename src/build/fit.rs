@@ -4,14 +4,13 @@
 //! its own, in order, at which its basis function does not vanish (Schoenberg and Whitney; [deBoor, 2001]). Least
 //! squares solve the normal equations `Σ_k N_i(x_k) (f(x_k) - d_k) = 0`, which over `Q` is exact.
 
-use crate::coeff::{Coeff, check_shapes};
+use crate::build::collocate::{Datum, border, check_data, solved, values};
+use crate::coeff::Coeff;
 use crate::error::{Error, Result};
-use crate::functional::Functional;
 use crate::linalg::BandedSystem;
 use crate::scalar::{Scalar, larger};
 use crate::space::SplineSpace;
 use crate::spline::Spline;
-use std::cmp::Ordering;
 
 /// What least squares do with the first and last point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -44,12 +43,7 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
         if parameters.len() != space.dim() {
             return Err(Error::CoefficientCount { expected: space.dim(), found: parameters.len() });
         }
-        let rows = rows(space, parameters)?;
-        let mut system = BandedSystem::new(space.dim(), border(space));
-        for (row, value) in rows.iter().zip(data) {
-            system.push(row.first(), row.weights(), value.clone());
-        }
-        Spline::new(space.clone(), system.solve()?)
+        solved(space, &values(space, parameters)?, data)
     }
 
     /// The spline of `space` with the least sum of squared distances to `data` at `parameters`.
@@ -76,11 +70,11 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
             check_ends(space, parameters)?;
         }
         let (p, dim) = (space.degree(), space.dim());
-        let rows = rows(space, parameters)?;
+        let rows = values(space, parameters)?;
         // Normal equation i has weights on the unrolled coefficients i - p ..= i + p, stored from i - p.
         let mut normal = vec![vec![T::zero(); 2 * p + 1]; dim];
         let mut right: Vec<C> = vec![data[0].zero_like(); dim];
-        for (row, value) in rows.iter().zip(data) {
+        for (Datum { row, .. }, value) in rows.iter().zip(data) {
             for (k, w) in row.weights().iter().enumerate() {
                 let i = space.slot(row.first() + k);
                 right[i].add_scaled(w, value);
@@ -133,24 +127,6 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
     }
 }
 
-/// Counts, finite values, parameters in order.
-fn check_data<T: Scalar, C: Coeff<T>>(space: &SplineSpace<T>, parameters: &[T], data: &[C]) -> Result<()> {
-    if parameters.len() != data.len() {
-        return Err(Error::CoefficientCount { expected: parameters.len(), found: data.len() });
-    }
-    if data.is_empty() || parameters.len() < space.dim() {
-        return Err(Error::TooFewPoints { expected: space.dim(), found: data.len() });
-    }
-    check_shapes(data)?;
-    if let Some(index) = data.iter().position(|value| !value.all_finite()) {
-        return Err(Error::NotFinite { what: "point", index });
-    }
-    match parameters.windows(2).position(|pair| pair[0].partial_cmp(&pair[1]).is_none_or(Ordering::is_gt)) {
-        Some(before) => Err(Error::ParametersDecrease { index: before + 1 }),
-        None => Ok(()),
-    }
-}
-
 /// That the first and last coefficient are the values at the first and last parameter.
 fn check_ends<T: Scalar>(space: &SplineSpace<T>, parameters: &[T]) -> Result<()> {
     if !space.is_clamped() {
@@ -164,30 +140,6 @@ fn check_ends<T: Scalar>(space: &SplineSpace<T>, parameters: &[T]) -> Result<()>
         return Ok(());
     }
     Err(Error::DomainMismatch { left: format!("[{a}, {b}]"), right: format!("[{first}, {last}]") })
-}
-
-/// The value functionals at the parameters, if they determine the spline.
-fn rows<T: Scalar>(space: &SplineSpace<T>, parameters: &[T]) -> Result<Vec<Functional<T>>> {
-    let rows: Vec<Functional<T>> = parameters.iter().map(|x| space.basis(x)).collect::<Result<_>>()?;
-    if space.is_periodic() {
-        return Ok(rows);
-    }
-    // Repeated parameters say nothing new.
-    let mut last = None;
-    let fresh = |(_, x): &(&Functional<T>, &T)| last.replace((*x).clone()).as_ref() != Some(*x);
-    let mut remaining = rows.iter().zip(parameters).filter(fresh).map(|(row, _)| row);
-    let weighs = |row: &Functional<T>, i: usize| {
-        i.checked_sub(row.first()).and_then(|k| row.weights().get(k)).is_some_and(|w| !w.is_zero())
-    };
-    match (0..space.dim()).find(|&i| !remaining.any(|row| weighs(row, i))) {
-        Some(index) => Err(Error::Undetermined { index }),
-        None => Ok(rows),
-    }
-}
-
-/// How many columns of a collocation matrix go to the border.
-fn border<T: Scalar>(space: &SplineSpace<T>) -> usize {
-    if space.is_periodic() { space.degree().min(space.dim()) } else { 0 }
 }
 
 #[cfg(test)]

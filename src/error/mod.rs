@@ -1,9 +1,11 @@
 //! What can go wrong, as one enum with data.
 
 pub mod shape;
+pub mod skin;
 pub mod tune;
 
 use shape::ShapeError;
+use skin::SkinError;
 use tune::TuneError;
 
 /// The result of an operation that can fail.
@@ -276,15 +278,6 @@ pub enum Error {
         /// The dimension of the curve.
         dimension: usize,
     },
-    /// Over an exact field an area can be kept where the curve itself meets all other conditions, and only there.
-    #[error("an area is kept exactly only if the curve itself meets all other conditions")]
-    AreaElsewhere,
-    /// No scale function with all its values at or above the floor meets the conditions.
-    #[error("no scale function of this space that keeps above the floor meets the conditions{}", if *.proved { "" } else { ", as far as was searched" })]
-    NoPositiveScale {
-        /// Whether it is proved that none has all its values at or above the floor.
-        proved: bool,
-    },
     /// A curve stands still, so that it has no direction or curvature there.
     #[error("the derivative vanishes at parameter {parameter}")]
     Stationary {
@@ -348,24 +341,21 @@ pub enum Error {
         "the points to be held coincide at both ends, before or after scaling: no rotation and scaling holds them; closed curves stay closed by springs (`fine_tuned_closed`) or exactly by a nearest scale (`Condition::End`)"
     )]
     NoChord,
-    /// A spring constant is not a positive number.
-    #[error("the spring constant {constant} is not a positive number")]
-    SpringConstant {
-        /// The constant.
-        constant: String,
-    },
     /// A leg of a control polygon has no length, so that it makes no angle with the next.
     #[error("leg {index} of the control polygon has no length, its angles are undefined")]
     ZeroLeg {
         /// The index of the leg.
         index: usize,
     },
-    /// Fine tuning of a surface refused.
+    /// Fine tuning refused.
     #[error(transparent)]
     Tune(#[from] TuneError),
     /// A shape tool refused.
     #[error(transparent)]
     Shape(#[from] ShapeError),
+    /// No skin was laid over sections.
+    #[error(transparent)]
+    Skin(#[from] SkinError),
     /// A text is not a number.
     #[error("'{text}' is not a fraction p/q: {reason}")]
     NotANumber {

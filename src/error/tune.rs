@@ -1,9 +1,24 @@
-//! Why fine tuning of a surface refused.
+//! Why fine tuning refused.
 
-/// Why fine tuning of a surface refused.
+/// Why fine tuning refused.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum TuneError {
+    /// Over an exact field an area can be kept where the curve itself meets all other conditions, and only there.
+    #[error("an area is kept exactly only if the curve itself meets all other conditions")]
+    AreaElsewhere,
+    /// No scale function with all its values at or above the floor meets the conditions.
+    #[error("no scale function of this space that keeps above the floor meets the conditions{}", if *.proved { "" } else { ", as far as was searched" })]
+    NoPositiveScale {
+        /// Whether it is proved that none has all its values at or above the floor.
+        proved: bool,
+    },
+    /// A spring constant is not a positive number.
+    #[error("the spring constant {constant} is not a positive number")]
+    SpringConstant {
+        /// The constant.
+        constant: String,
+    },
     /// The ends of a line of control points cannot be held by a similarity, because one of the chords has no length.
     #[error(
         "line {line} of control points along {direction} is closed before or after scaling: no rotation and scaling holds its ends"

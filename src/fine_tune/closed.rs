@@ -71,7 +71,7 @@ where
     /// [`Error::NotPositive`], [`Error::Undecided`] unless `alpha` is proved to be positive; [`Error::NoLength`] if all control points coincide;
     /// [`Error::ZeroLeg`] if a control point of `C'` or of `α C'` vanishes in the space of their product, but for rounding
     /// beside the largest;
-    /// [`Error::SpringConstant`], [`Error::BadTolerance`], [`Error::IndexOutOfRange`] for unusable springs;
+    /// [`TuneError::SpringConstant`](crate::TuneError::SpringConstant), [`Error::BadTolerance`], [`Error::IndexOutOfRange`] for unusable springs;
     /// [`Error::NotFinite`] on overflow; [`Error::DegreeTooHigh`], [`Error::TooLarge`].
     ///
     /// # Examples

@@ -117,12 +117,8 @@ impl<T: Scalar, const N: usize> LocallyTuned<T, N> {
     /// clamped, has the knots that the curve has inside, and its derivatives at the ends that are held.
     pub(crate) fn with_portion(&self, portion: &Curve<T, N>) -> Result<Curve<T, N>> {
         let space = room_for(self.original.space(), portion.space(), [self.order(); 2])?;
-        let Inside { first, inner } = Inside::of(&space, portion.space());
         let mut points = self.original.embedded(&space)?.into_coeffs();
-        // None in degree 0, where nothing can be tuned.
-        let inner = portion.coeffs().get(inner).unwrap_or_default();
-        // In a ring too: these do not go over the seam, so that no index wraps.
-        points.iter_mut().skip(first).zip(inner).for_each(|(point, tuned)| point.clone_from(tuned));
+        Inside::of(&space, portion.space()).copy(portion.coeffs(), &mut points);
         Curve::new(space, points)
     }
 }

@@ -13,6 +13,7 @@ pub mod nearest_scale;
 pub mod tuner;
 pub mod local;
 pub mod repeated;
+pub mod segmented;
 mod minimise;
 mod ring;
 mod legs;

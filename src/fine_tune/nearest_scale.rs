@@ -11,6 +11,7 @@ use crate::constrain::above::{Above, nearest_above};
 use crate::constrain::change::LeastChange;
 use crate::constrain::independent::independent;
 use crate::constrain::norm::Norm;
+use crate::error::tune::TuneError;
 use crate::error::{Error, Result};
 use crate::fine_tune::area::AreaForm;
 use crate::fine_tune::condition::{Condition, Rows};
@@ -150,10 +151,10 @@ impl<T: Scalar, S: ScaleSpace<T>> NearestScale<T, S> {
     /// [floor](Self::above), in its own space or, if there is none, in a finer one.
     ///
     /// # Errors
-    /// [`Error::Clash`] if the conditions contradict each other; [`Error::NoPositiveScale`] if no scale function with values at or
+    /// [`Error::Clash`] if the conditions contradict each other; [`TuneError::NoPositiveScale`] if no scale function with values at or
     /// above the [floor](Self::above) meets them, or none was found; [`Error::DomainMismatch`], [`Error::TooSmooth`] unless
     /// `wanted` is in the space; [`Error::Undecided`] if in floating point the search does not end, or rounding is larger than
-    /// the floor; [`Error::TooLarge`], [`Error::NotFinite`]. With [`Condition::Area`] over an exact field [`Error::AreaElsewhere`]
+    /// the floor; [`Error::TooLarge`], [`Error::NotFinite`]. With [`Condition::Area`] over an exact field [`TuneError::AreaElsewhere`]
     /// unless the curve itself meets the other conditions, [`Error::Undecided`] where no step along the line has the area.
     pub fn to(&self, wanted: &S::Function) -> Result<S::Function> {
         self.nearest(wanted, false)
@@ -238,7 +239,7 @@ impl<T: Scalar, S: ScaleSpace<T>> NearestScale<T, S> {
         };
         if T::EXACT {
             if !self.is_met_by(&one) {
-                return Err(Error::AreaElsewhere);
+                return Err(TuneError::AreaElsewhere.into());
             }
             values = form.opposite(&values).ok_or(Error::Undecided)?;
         } else {
@@ -251,7 +252,7 @@ impl<T: Scalar, S: ScaleSpace<T>> NearestScale<T, S> {
             }
         }
         if !signed && !self.is_positive(&values)? {
-            return Err(Error::NoPositiveScale { proved: false });
+            return Err(TuneError::NoPositiveScale { proved: false }.into());
         }
         Ok(values)
     }
@@ -285,11 +286,11 @@ impl<T: Scalar, S: ScaleSpace<T>> NearestScale<T, S> {
                 return if self.is_positive(&values)? { Ok(values) } else { Err(Error::Undecided) };
             }
             if refinement == 0 && self.none_is_positive(wanted)? {
-                return Err(Error::NoPositiveScale { proved: true });
+                return Err(TuneError::NoPositiveScale { proved: true }.into());
             }
             finer = finer.bisected()?;
         }
-        Err(Error::NoPositiveScale { proved: false })
+        Err(TuneError::NoPositiveScale { proved: false }.into())
     }
 
     /// Whether already the values at some parameters cannot all be at or above the floor.

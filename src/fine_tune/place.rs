@@ -14,16 +14,7 @@ pub(crate) fn room_for<T: Scalar>(
     orders: [usize; 2],
 ) -> Result<SplineSpace<T>> {
     let (p, (a, b), (start, end)) = (portion.degree(), portion.domain(), space.domain());
-    let mut raised = space.elevated(p - space.degree())?;
-    if !raised.is_periodic() && (a == start || b == end) {
-        let t = raised.knots();
-        let outer = |clamped: bool, x: &T, knots: &[T]| {
-            if clamped { vec![x.clone(); p] } else { knots.to_vec() }
-        };
-        let before = outer(a == start, a, &t[..p]);
-        let after = outer(b == end, b, &t[t.len() - p..]);
-        raised = raised.with_outer_knots(&before, &after)?;
-    }
+    let raised = clamped_beside(space.elevated(p - space.degree())?, (a, b))?;
     let (present, ring) = (raised.breaks(), raised.is_periodic());
     let mut added = Vec::new();
     for (t, count) in portion.breaks() {
@@ -38,8 +29,21 @@ pub(crate) fn room_for<T: Scalar>(
     raised.refined(&added)
 }
 
+/// The space with clamped ends where those of an open domain are also ends of a portion.
+pub(crate) fn clamped_beside<T: Scalar>(space: SplineSpace<T>, (a, b): (&T, &T)) -> Result<SplineSpace<T>> {
+    let (p, (start, end)) = (space.degree(), space.domain());
+    if space.is_periodic() || (a != start && b != end) {
+        return Ok(space);
+    }
+    let t = space.knots();
+    let outer = |clamped: bool, x: &T, knots: &[T]| if clamped { vec![x.clone(); p] } else { knots.to_vec() };
+    let before = outer(a == start, a, &t[..p]);
+    let after = outer(b == end, b, &t[t.len() - p..]);
+    space.with_outer_knots(&before, &after)
+}
+
 /// How many copies of `t` there are among `breaks`.
-fn copies<T: Scalar>(breaks: &[(T, usize)], t: &T) -> usize {
+pub(crate) fn copies<T: Scalar>(breaks: &[(T, usize)], t: &T) -> usize {
     let place = breaks.partition_point(|(s, _)| s < t);
     breaks.get(place).filter(|(s, _)| s == t).map_or(0, |(_, copies)| *copies)
 }
@@ -62,5 +66,20 @@ impl Inside {
             first: space.knots().partition_point(|t| t < a),
             inner: lacking(a)..portion.dim().saturating_sub(lacking(b)),
         }
+    }
+
+    /// The same without those of the portion that are not among `which`.
+    pub(crate) fn among(self, which: &Range<usize>) -> Self {
+        let start = self.inner.start.max(which.start);
+        let first = self.first + start - self.inner.start;
+        Self { first, inner: start..self.inner.end.min(which.end) }
+    }
+
+    /// Copies these coefficients of the portion to the whole.
+    pub(crate) fn copy<C: Clone>(self, portion: &[C], whole: &mut [C]) {
+        // None in degree 0, where nothing can be tuned.
+        let inner = portion.get(self.inner).unwrap_or_default();
+        // In a ring too: these do not go over the seam, so that no index wraps.
+        whole.iter_mut().skip(self.first).zip(inner).for_each(|(c, tuned)| c.clone_from(tuned));
     }
 }

@@ -1,5 +1,6 @@
 //! How stiff the springs are that hold a closed curve together.
 
+use crate::error::tune::TuneError;
 use crate::error::{Error, Result};
 
 /// How stiff the springs are that [`fine_tuned_closed`](crate::Curve::fine_tuned_closed) relaxes, and how far it goes.
@@ -40,7 +41,7 @@ impl Springs {
     pub(crate) fn check(&self, count: usize) -> Result<()> {
         for constant in [self.stretch, self.bend] {
             if !(constant > 0.0 && constant.is_finite()) {
-                return Err(Error::SpringConstant { constant: constant.to_string() });
+                return Err(TuneError::SpringConstant { constant: constant.to_string() }.into());
             }
         }
         if !(self.tolerance >= 0.0 && self.tolerance.is_finite()) {
@@ -61,7 +62,7 @@ mod tests {
     fn bad_springs_are_refused() {
         let check = |springs: Springs| springs.check(3);
         for k in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-            let refused = Err(Error::SpringConstant { constant: k.to_string() });
+            let refused = Err(TuneError::SpringConstant { constant: k.to_string() }.into());
             assert_eq!(check(Springs { stretch: k, ..Springs::default() }), refused);
             assert_eq!(check(Springs { bend: k, ..Springs::default() }), refused);
         }

@@ -85,9 +85,21 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
         if target.contains(self.space()) {
             return self.embedded(target);
         }
-        let (n, known) = (target.dim(), contact.start + contact.end);
         let start = self.end_coeffs(target, contact.start, false)?;
         let end = self.end_coeffs(target, contact.end, true)?;
+        self.projection_between(target, start, end)
+    }
+
+    /// The spline of `target` with the least `∫ |f - g|²` among those whose first coefficients are `start` and whose last are
+    /// `end`, not more than there are. A periodic target takes none.
+    pub(crate) fn projection_between(
+        &self,
+        target: &SplineSpace<T>,
+        start: Vec<C>,
+        end: Vec<C>,
+    ) -> Result<Self> {
+        let contact = Contact { start: start.len(), end: end.len() };
+        let (n, known) = (target.dim(), contact.start + contact.end);
         if known == n {
             return Spline::new(target.clone(), start.into_iter().chain(end).collect());
         }

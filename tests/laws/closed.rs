@@ -5,7 +5,9 @@ use nalgebra::{Rotation2, SVector, vector};
 use proptest::collection::vec;
 use proptest::prelude::*;
 use proptest::sample::select;
-use symspline::{Curve, Error, Function, Jointed, Q, Relaxed, Result, Scalar, Scale, SplineSpace, Springs};
+use symspline::{
+    Curve, Error, Function, Jointed, Q, Relaxed, Result, Scalar, Scale, SplineSpace, Springs, TuneError,
+};
 
 /// A periodic space of period 12 over whole knots.
 fn ring(degree: usize, knots: &[u32]) -> SplineSpace<f64> {
@@ -315,7 +317,7 @@ fn what_cannot_be_relaxed_is_refused() -> Result<()> {
     assert!(matches!(refuse(&[1.0, 0.0], &springs), Error::NotPositive { .. }));
     assert!(matches!(refuse(&[1.0, 2.0, -1.0], &springs), Error::NotPositive { .. }));
     let bent = Springs { bend: f64::NAN, ..Springs::default() };
-    assert_eq!(refuse(&[1.0, 2.0], &bent), Error::SpringConstant { constant: "NaN".into() });
+    assert_eq!(refuse(&[1.0, 2.0], &bent), TuneError::SpringConstant { constant: "NaN".into() }.into());
     let nailed = Springs { fixed: vec![1, 8], ..Springs::default() };
     assert_eq!(refuse(&[1.0, 2.0, 1.0, 1.0], &nailed), Error::IndexOutOfRange { index: 8, length: 8 });
     assert_eq!(refused(vec![vector![3.0, 4.0]; 4], vec![1.0; 4], &springs), Error::NoLength);

@@ -2,7 +2,9 @@
 
 use crate::strategies::{ANY, CLAMPED, Kind, RING, cases, curve_and_function, number, point, probes};
 use proptest::prelude::*;
-use symspline::{Condition, Curve, Error, FineTuner, Function, NearestScale, Norm, Q, Scalar, Scale};
+use symspline::{
+    Condition, Curve, Error, FineTuner, Function, NearestScale, Norm, Q, Scalar, Scale, TuneError,
+};
 
 const CURVE: Kind = ANY.of_degree(1, 3).smooth(1).few(2);
 const SCALE: Kind = ANY.of_degree(0, 2).few(2);
@@ -132,7 +134,7 @@ proptest! {
             (Ok(found), Some((_, best))) => prop_assert_eq!(found, best),
             // Values above the floor with a control value below it: found in a finer space only.
             (Ok(found), None) => prop_assert!(found.positive_bound()? > Q::int(0)),
-            (Err(Error::NoPositiveScale { .. }), None) => {}
+            (Err(Error::Tune(TuneError::NoPositiveScale { .. })), None) => {}
             (found, best) => prop_assert!(false, "{found:?} {best:?}"),
         }
     }
@@ -190,7 +192,7 @@ fn where_none_is_positive_that_is_said() {
     let nearest = NearestScale::prepare(&parabola, &scales, &conditions, Norm::L2).unwrap();
     let one = Function::constant(scales, Q::int(1)).unwrap();
     assert!(nearest.to_signed(&one).is_ok());
-    assert_eq!(nearest.to(&one), Err(Error::NoPositiveScale { proved: true }));
+    assert_eq!(nearest.to(&one), Err(TuneError::NoPositiveScale { proved: true }.into()));
 }
 
 /// A wave with its scale functions, and a wanted one.
@@ -259,7 +261,7 @@ fn what_cannot_be_is_refused() -> symspline::Result<()> {
     let none = Condition::Coefficient { index: 7, value: Q::int(1) };
     assert_eq!(prepare(&[none]).unwrap_err(), Error::IndexOutOfRange { index: 7, length: 7 });
     let elsewhere = Condition::Scale { parameter: Q::int(0), value: Q::int(2) };
-    assert_eq!(prepare(&[elsewhere, Condition::Area])?.to(&wanted), Err(Error::AreaElsewhere));
+    assert_eq!(prepare(&[elsewhere, Condition::Area])?.to(&wanted), Err(TuneError::AreaElsewhere.into()));
     let below = prepare(&[])?.above(Q::int(0)).unwrap_err();
     assert!(matches!(below, Error::NotPositive { .. }));
     let end = Condition::Point { parameter: Q::int(1), point: nalgebra::vector![Q::int(0), Q::int(9)] };

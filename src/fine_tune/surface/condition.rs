@@ -126,7 +126,7 @@ impl<T: Scalar> NearestScale<T, (SplineSpace<T>, SplineSpace<T>)> {
             let before = rows.rows.len();
             rows.add(surface, condition)?;
             if !matches!(condition, SurfaceCondition::Scale { .. } | SurfaceCondition::Coefficient { .. }) {
-                rows.settle(before);
+                rows.settle(before, matches!(condition, SurfaceCondition::Edge { .. }));
             }
             rows.sources.resize(rows.rows.len(), source);
         }
@@ -245,8 +245,8 @@ impl<T: Scalar, const N: usize> Rows<'_, T, N> {
     }
 
     /// In floating point brings the rows of one condition on the shape, those from index `from` on, to weights of at most one, and drops
-    /// weights that are rounding.
-    fn settle(&mut self, from: usize) {
+    /// weights that are rounding; where a scale of one meets the condition, it still does.
+    fn settle(&mut self, from: usize, one: bool) {
         if T::EXACT {
             return;
         }
@@ -262,7 +262,10 @@ impl<T: Scalar, const N: usize> Rows<'_, T, N> {
         for (row, target) in rows.iter_mut().zip(&mut self.targets[from..]) {
             let kept = |w: &T| if w.magnitude() <= noise { T::zero() } else { w.clone() / &largest };
             *row = Functional::new(row.first(), row.weights().iter().map(kept).collect::<Vec<_>>());
-            *target /= &largest;
+            *target = match one {
+                true => row.weights().iter().fold(T::zero(), |sum, w| sum + w),
+                false => target.clone() / &largest,
+            };
         }
     }
 }
