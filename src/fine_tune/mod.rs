@@ -1,6 +1,7 @@
 //! Fine tuning: a curve is deformed by scaling its derivative, after Miura, Cheng and Wang.
 
 pub mod scale;
+pub mod approximate;
 pub mod turn;
 mod ends;
 mod place;

@@ -27,6 +27,7 @@ pub mod hull;
 pub mod dual;
 pub mod power;
 pub mod bound;
+pub mod fraction;
 pub mod positive;
 pub mod quasi;
 pub mod project;

@@ -65,7 +65,9 @@ impl<T: Scalar, const D: usize, C: Ordinate<T>> Patch<T, D, C> {
         };
         Meeting { value, parameter: std::array::from_fn(place) }
     }
+}
 
+impl<T: Scalar, const D: usize, C: Coeff<T>> Patch<T, D, C> {
     /// The coefficients at the corners, which stand for values.
     pub(crate) fn corners(&self) -> impl Iterator<Item = &C> {
         (0..1 << D).map(|corner| self.corner(corner))

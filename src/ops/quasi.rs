@@ -40,17 +40,70 @@ impl<T: Scalar> SplineSpace<T> {
         &self,
         mut sample: impl FnMut(&T) -> Result<C>,
     ) -> Result<Spline<T, C>> {
+        let samples = self.quasi_places().iter().map(&mut sample).collect::<Result<Vec<C>>>()?;
+        Spline::new(self.clone(), self.quasi_coeffs(&samples)?)
+    }
+
+    /// The parameters of the samples, `p + 1` a span.
+    pub(crate) fn quasi_places(&self) -> Vec<T> {
+        let p = self.degree();
+        let nodes: Vec<T> = (0..=p).map(|l| node(l, p)).collect();
+        let place = |a: &T, b: &T, node: &T| a.clone() + (b.clone() - a) * node;
+        let ends = self.ends();
+        ends.windows(2).flat_map(|ends| nodes.iter().map(|node| place(&ends[0], &ends[1], node))).collect()
+    }
+
+    /// The coefficients of the quasi-interpolant with these samples.
+    pub(crate) fn quasi_coeffs<C: Coeff<T>>(&self, samples: &[C]) -> Result<Vec<C>> {
         let p = self.degree();
         let interpolation = local_interpolation::<T>(p)?;
-        let breaks = self.breaks();
-        let mut pieces = Vec::with_capacity((p + 1) * (breaks.len() - 1));
-        for ends in breaks.windows(2) {
-            let (a, width) = (&ends[0].0, ends[1].0.clone() - &ends[0].0);
-            let place = |l: usize| a.clone() + width.clone() * node::<T>(l, p);
-            let samples = (0..=p).map(|l| sample(&place(l))).collect::<Result<Vec<C>>>()?;
-            pieces.extend(interpolation.iter().map(|weights| weigh(0, weights, &samples)));
+        let piece = |samples| interpolation.iter().map(move |weights| weigh(0, weights, samples));
+        let pieces: Vec<C> = samples.chunks(p + 1).flat_map(piece).collect();
+        Ok(self.recomposed(&self.ends(), &pieces, &[]))
+    }
+
+    /// The parameters of the samples, and of a clamped space both ends.
+    pub(crate) fn places_with_ends(&self) -> Vec<T> {
+        let (a, b) = self.domain();
+        let end = |x: &T| self.is_clamped().then(|| x.clone());
+        end(a).into_iter().chain(self.quasi_places()).chain(end(b)).collect()
+    }
+
+    /// What `operator` makes of samples inside spans, but the samples at the ends of a clamped space, which are its end values.
+    pub(crate) fn with_ends<C: Coeff<T>>(
+        &self,
+        samples: &[C],
+        operator: impl FnOnce(&[C]) -> Result<Vec<C>>,
+    ) -> Result<Vec<C>> {
+        let [start, inside @ .., end] = samples else { return operator(samples) };
+        if !self.is_clamped() {
+            return operator(samples);
         }
-        Spline::new(self.clone(), self.recomposed(&self.ends(), &pieces, &[]))
+        let mut coeffs = operator(inside)?;
+        let last = coeffs.len() - 1;
+        coeffs[0] = start.clone();
+        coeffs[last] = end.clone();
+        Ok(coeffs)
+    }
+
+    /// For each coefficient the mean, over a span in the middle of its support, of the polynomial with these samples.
+    pub(crate) fn middle_means<C: Coeff<T>>(&self, samples: &[C]) -> Result<Vec<C>> {
+        let (p, t, ends) = (self.degree(), self.knots(), self.ends());
+        let rows = local_interpolation::<T>(p)?;
+        let share = T::frac(1, p as i64 + 1);
+        let weight = |l: usize| rows.iter().fold(T::zero(), |sum, row| sum + &row[l]) * &share;
+        let weights: Vec<T> = (0..=p).map(weight).collect();
+        let means: Vec<C> = samples.chunks(p + 1).map(|samples| weigh(0, &weights, samples)).collect();
+        let (start, end) = self.domain();
+        let inside = |k: &usize| t[*k] < t[k + 1] && t[*k] >= *start && t[*k] < *end;
+        let middle = |j: usize| (j..=j + p).filter(inside).min_by_key(|k| (2 * k).abs_diff(2 * j + p));
+        // In a ring a coefficient may have its support before the start.
+        let found = |j: usize| {
+            let k =
+                middle(j).or_else(|| middle(j + self.dim())).expect("every coefficient has a span under it");
+            means[ends.partition_point(|a| *a <= t[k]) - 1].clone()
+        };
+        Ok((0..self.dim()).map(found).collect())
     }
 }
 

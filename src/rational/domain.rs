@@ -3,8 +3,11 @@
 use crate::coeff::Coeff;
 use crate::error::Result;
 use crate::ops::enclose::{Enclosure, enclose};
+use crate::ops::fraction::{FractionBound, fraction_bound};
 use crate::ops::sign::{Sign, sign_of};
+use crate::row::Row;
 use crate::scalar::Scalar;
+use crate::space::SplineSpace;
 use crate::spline::Spline;
 use crate::tensor::spline::TensorSpline;
 use crate::weighted::Weighted;
@@ -74,6 +77,44 @@ pub trait Domain<T: Scalar>: Clone + Debug + PartialEq + sealed::Sealed {
     /// # Errors
     /// [`Pole`](crate::Error::Pole) if there is a zero, [`Undecided`](crate::Error::Undecided) if bisection does not tell.
     fn sign(spline: &Self::Spline<T>) -> Result<Sign>;
+
+    /// The space of each direction.
+    fn spaces<C: Coeff<T>>(spline: &Self::Spline<C>) -> Vec<SplineSpace<T>>;
+
+    /// The same spline in larger spaces, one for each direction.
+    ///
+    /// # Errors
+    /// As [`Spline::embedded`].
+    fn embedded<C: Coeff<T>>(spline: &Self::Spline<C>, spaces: &[SplineSpace<T>]) -> Result<Self::Spline<C>>;
+
+    /// The values at the places where a [quasi-interpolant](SplineSpace::quasi_interpolant) in `spaces` takes samples, and at the
+    /// ends of clamped spaces.
+    ///
+    /// # Errors
+    /// [`TooLarge`](crate::Error::TooLarge).
+    fn samples<C: Coeff<T>>(spline: &Self::Spline<C>, spaces: &[SplineSpace<T>]) -> Result<Vec<C>>;
+
+    /// The spline over `spaces` whose coefficients `operator` makes of `samples` inside, along one direction after the other, and
+    /// that has the samples at the ends.
+    ///
+    /// # Errors
+    /// Those of `operator`; [`NotFinite`](crate::Error::NotFinite).
+    fn from_samples<C: Coeff<T>>(
+        spaces: &[SplineSpace<T>],
+        samples: Vec<C>,
+        operator: impl Fn(&SplineSpace<T>, &[Row<C>]) -> Result<Vec<Row<C>>>,
+    ) -> Result<Self::Spline<C>>;
+
+    /// How large a quotient is on each patch; `noise` says what its coefficients may be off by, and a bound of `enough` need
+    /// not be sharpened. The patches of the last direction stand next to each other.
+    ///
+    /// # Errors
+    /// [`TooLarge`](crate::Error::TooLarge).
+    fn fraction_bounds<C: Coeff<T>>(
+        lifted: &Self::Spline<Weighted<T, C>>,
+        noise: Option<&Self::Spline<Weighted<T>>>,
+        enough: &T,
+    ) -> Result<Vec<FractionBound<T>>>;
 }
 
 /// The domains of curves and functions: their splines are [`Spline`].
@@ -127,6 +168,39 @@ impl<T: Scalar> Domain<T> for Interval {
     fn sign(spline: &Spline<T>) -> Result<Sign> {
         sign_of(spline.patches()?)
     }
+
+    fn spaces<C: Coeff<T>>(spline: &Spline<T, C>) -> Vec<SplineSpace<T>> {
+        vec![spline.space().clone()]
+    }
+
+    fn embedded<C: Coeff<T>>(spline: &Spline<T, C>, spaces: &[SplineSpace<T>]) -> Result<Spline<T, C>> {
+        spline.embedded(&spaces[0])
+    }
+
+    fn samples<C: Coeff<T>>(spline: &Spline<T, C>, spaces: &[SplineSpace<T>]) -> Result<Vec<C>> {
+        spline.eval(&spaces[0].places_with_ends())
+    }
+
+    fn from_samples<C: Coeff<T>>(
+        spaces: &[SplineSpace<T>],
+        samples: Vec<C>,
+        operator: impl Fn(&SplineSpace<T>, &[Row<C>]) -> Result<Vec<Row<C>>>,
+    ) -> Result<Spline<T, C>> {
+        let samples: Vec<Row<C>> = samples.into_iter().map(|c| Row(vec![c])).collect();
+        let coeffs = spaces[0].with_ends(&samples, |inside| operator(&spaces[0], inside))?;
+        Spline::new(spaces[0].clone(), coeffs.into_iter().flat_map(|row| row.0).collect())
+    }
+
+    fn fraction_bounds<C: Coeff<T>>(
+        lifted: &Spline<T, Weighted<T, C>>,
+        noise: Option<&Spline<T, Weighted<T>>>,
+        enough: &T,
+    ) -> Result<Vec<FractionBound<T>>> {
+        let noises = noise.map(Spline::patches).transpose()?;
+        let noise = |i: usize| noises.as_ref().map(|noises| &noises[i]);
+        let patches = lifted.patches()?.into_iter().enumerate();
+        Ok(patches.map(|(i, patch)| fraction_bound(patch, noise(i), enough)).collect())
+    }
 }
 
 impl<T: Scalar> Domain<T> for Rectangle {
@@ -171,5 +245,47 @@ impl<T: Scalar> Domain<T> for Rectangle {
 
     fn sign(spline: &TensorSpline<T>) -> Result<Sign> {
         sign_of(spline.boxes()?)
+    }
+
+    fn spaces<C: Coeff<T>>(spline: &TensorSpline<T, C>) -> Vec<SplineSpace<T>> {
+        vec![spline.u().clone(), spline.v().clone()]
+    }
+
+    fn embedded<C: Coeff<T>>(
+        spline: &TensorSpline<T, C>,
+        spaces: &[SplineSpace<T>],
+    ) -> Result<TensorSpline<T, C>> {
+        spline.embedded(&spaces[0], &spaces[1])
+    }
+
+    fn samples<C: Coeff<T>>(spline: &TensorSpline<T, C>, spaces: &[SplineSpace<T>]) -> Result<Vec<C>> {
+        spline.eval_grid(&spaces[0].places_with_ends(), &spaces[1].places_with_ends())
+    }
+
+    fn from_samples<C: Coeff<T>>(
+        spaces: &[SplineSpace<T>],
+        samples: Vec<C>,
+        operator: impl Fn(&SplineSpace<T>, &[Row<C>]) -> Result<Vec<Row<C>>>,
+    ) -> Result<TensorSpline<T, C>> {
+        let [u, v] = [&spaces[0], &spaces[1]];
+        let width = samples.len() / u.places_with_ends().len();
+        let rows: Vec<Row<C>> = samples.chunks(width).map(|row| Row(row.to_vec())).collect();
+        let rows = u.with_ends(&rows, |inside| operator(u, inside))?;
+        let column = |j: usize| Row(rows.iter().map(|row| row[j].clone()).collect());
+        let columns: Vec<Row<C>> = (0..width).map(column).collect();
+        let columns = v.with_ends(&columns, |inside| operator(v, inside))?;
+        let columns = Spline::new(v.clone(), columns)?;
+        Ok(TensorSpline::from_spline_of_rows(columns, u.clone())?.transposed())
+    }
+
+    fn fraction_bounds<C: Coeff<T>>(
+        lifted: &TensorSpline<T, Weighted<T, C>>,
+        noise: Option<&TensorSpline<T, Weighted<T>>>,
+        enough: &T,
+    ) -> Result<Vec<FractionBound<T>>> {
+        let noises = noise.map(TensorSpline::boxes).transpose()?;
+        let noise = |i: usize| noises.as_ref().map(|noises| &noises[i]);
+        let patches = lifted.boxes()?.into_iter().enumerate();
+        Ok(patches.map(|(i, patch)| fraction_bound(patch, noise(i), enough)).collect())
     }
 }

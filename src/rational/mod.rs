@@ -15,3 +15,4 @@ pub mod operators;
 pub mod moebius;
 pub mod range;
 pub mod approximate;
+pub mod polynomial;

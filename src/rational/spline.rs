@@ -33,9 +33,15 @@ pub struct Rational<D: Domain<T>, T: Scalar, C: Coeff<T> = T> {
 pub type RationalFunction<T> = Rational<Interval, T>;
 
 /// A rational spline curve in `N` dimensions.
+///
+/// What takes polynomial curves only, fine tuning above all, takes the approximation that
+/// [`polynomial_within`](Rational::polynomial_within) gives.
 pub type NurbsCurve<T, const N: usize> = Rational<Interval, T, SVector<T, N>>;
 
 /// A rational spline surface in `N` dimensions.
+///
+/// What takes polynomial surfaces only, fine tuning above all, takes the approximation that
+/// [`polynomial_within`](Rational::polynomial_within) gives.
 pub type NurbsSurface<T, const N: usize> = Rational<Rectangle, T, SVector<T, N>>;
 
 impl<D: Domain<T>, T: Scalar, C: Coeff<T>> Rational<D, T, C> {

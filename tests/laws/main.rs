@@ -68,6 +68,7 @@ mod surface;
 mod rational;
 mod rational_arithmetic;
 mod rational_range;
+mod rational_polynomial;
 mod rational_surface;
 mod moebius;
 mod poles;
