@@ -27,9 +27,9 @@ use crate::tensor::along::Direction::{self, U, V};
 use crate::tensor::spline::Surface;
 use nalgebra::SVector;
 
-use super::edges::Edge;
+use super::edges::{Edge, Edges};
 use super::path::Path;
-use super::tuner::SurfaceTuner;
+use super::ways::Ways;
 
 /// What a fine-tuned surface `T` of `S` must do; both start at one corner.
 #[derive(Clone, Debug, PartialEq)]
@@ -114,9 +114,10 @@ impl<T: Scalar> NearestScale<T, (SplineSpace<T>, SplineSpace<T>)> {
         norm: Norm,
     ) -> Result<Self> {
         let pair = (scales.0.clone(), scales.1.clone());
-        let tuner = SurfaceTuner::free(surface, scales, path)?.signed();
+        let ways = Ways::new(surface, scales, path, Edges::default())?;
         let mut rows = Rows {
-            tuner: &tuner,
+            ways: &ways,
+            scales,
             images: Vec::new(),
             rows: Vec::new(),
             targets: Vec::new(),
@@ -140,7 +141,8 @@ impl<T: Scalar> NearestScale<T, (SplineSpace<T>, SplineSpace<T>)> {
 
 /// Linear conditions on the coefficients of a scale function.
 struct Rows<'a, T: Scalar, const N: usize> {
-    tuner: &'a SurfaceTuner<T, N>,
+    ways: &'a Ways<T, N>,
+    scales: (&'a SplineSpace<T>, &'a SplineSpace<T>),
     /// The origin of the tuned surfaces and the `G_j`, made when first needed.
     images: Vec<Surface<T, N>>,
     rows: Vec<Functional<T>>,
@@ -185,7 +187,7 @@ impl<T: Scalar, const N: usize> Rows<'_, T, N> {
                 self.push(derivative, Some(value));
             }
             SurfaceCondition::Scale { at, value } => {
-                let (u, v) = self.tuner.scales();
+                let (u, v) = self.scales;
                 let [across, along] = [(u, &at.0), (v, &at.1)].map(|(space, x)| space.basis(x));
                 let (across, along) = (across?.to_dense(u.dim()), along?.to_dense(v.dim()));
                 let weights: Vec<T> =
@@ -194,7 +196,7 @@ impl<T: Scalar, const N: usize> Rows<'_, T, N> {
                 self.targets.push(value.clone());
             }
             SurfaceCondition::Coefficient { index, value } => {
-                let (u, v) = self.tuner.scales();
+                let (u, v) = self.scales;
                 for (index, length) in [(index.0, u.dim()), (index.1, v.dim())] {
                     if index >= length {
                         return Err(Error::IndexOutOfRange { index, length });
@@ -212,18 +214,19 @@ impl<T: Scalar, const N: usize> Rows<'_, T, N> {
         if !self.images.is_empty() {
             return Ok(());
         }
-        let (u, v) = self.tuner.scales();
+        let (u, v) = self.scales;
         let count = (u.clone(), v.clone()).dim();
-        check_entries(
-            count + 1,
-            self.tuner.u().dim().saturating_mul(self.tuner.v().dim()).saturating_mul(N),
-        )?;
+        check_entries(count + 1, self.ways.u.dim().saturating_mul(self.ways.v.dim()).saturating_mul(N))?;
         let mut alpha = vec![T::zero(); count];
-        let origin = self.tuner.tuned(&alpha)?;
+        let tuned = |alpha: &[T]| {
+            let points = self.ways.walk(alpha, |_, _| Ok(()))?;
+            Surface::new(self.ways.u.clone(), self.ways.v.clone(), points)
+        };
+        let origin = tuned(&alpha)?;
         let mut images = Vec::with_capacity(count + 1);
         for j in 0..count {
             alpha[j] = T::one();
-            images.push(self.tuner.tuned(&alpha)?.difference(&origin)?);
+            images.push(tuned(&alpha)?.difference(&origin)?);
             alpha[j] = T::zero();
         }
         images.insert(0, origin);

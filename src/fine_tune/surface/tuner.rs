@@ -1,25 +1,20 @@
 //! Fine tuning of one surface by many scale functions, while a value of `α` is dragged: the map `α ↦ T` prepared.
 
-use crate::coeff::Coeff;
-use crate::constrain::norm::Norm;
+use crate::constrain::norm::{CoeffSpace, Norm};
 use crate::error::{Error, Result};
 use crate::fine_tune::nearest_scale::NearestScale;
-use crate::fine_tune::scale::Scale;
 use crate::fine_tune::scale_space::check_values;
 use crate::fine_tune::surface::condition::SurfaceCondition;
 use crate::fine_tune::turn::Turnable;
-use crate::functional::weigh;
-use crate::map::LinearMap;
 use crate::scalar::Scalar;
 use crate::space::SplineSpace;
-use crate::tensor::along::Direction::{self, U, V};
-use crate::tensor::spline::{Surface, TensorSpline};
+use crate::tensor::spline::Surface;
 use nalgebra::SVector;
 
 use super::edges::Edges;
 use super::held::{hold_lines, in_line, restore_edges};
 use super::path::Path;
-use super::table::{PathTable, transposed};
+use super::ways::Ways;
 
 /// A surface prepared for fine tuning by scale functions over one pair of spaces.
 ///
@@ -41,27 +36,12 @@ use super::table::{PathTable, transposed};
 /// ```
 #[derive(Clone, Debug)]
 pub struct SurfaceTuner<T: Scalar, const N: usize> {
-    u: SplineSpace<T>,
-    v: SplineSpace<T>,
+    ways: Ways<T, N>,
     scales: (SplineSpace<T>, SplineSpace<T>),
-    /// One, or two of which the mean is taken.
-    ways: Vec<Way<T, N>>,
     held: Option<HeldEdges<T, N>>,
     nearest: Option<NearestScale<T, (SplineSpace<T>, SplineSpace<T>)>>,
     /// Whether scale functions may have any sign.
     signed: bool,
-}
-
-/// One path.
-#[derive(Clone, Debug)]
-struct Way<T, const N: usize> {
-    table: PathTable<T, N>,
-    /// The control points of the invariant surface, line after line as the table has them; none if no ends of
-    /// lines are held.
-    invariant: Vec<SVector<T, N>>,
-    /// From the control points of this path to those of the mean, across and along the direction in which it ends, where these
-    /// are others.
-    finish: [Option<LinearMap<T>>; 2],
 }
 
 /// What it takes to put edges back.
@@ -90,7 +70,13 @@ impl<T: Scalar, const N: usize> SurfaceTuner<T, N> {
         scales: (&SplineSpace<T>, &SplineSpace<T>),
         path: Path,
     ) -> Result<Self> {
-        Self::with_edges(surface, scales, path, Edges::default())
+        Ok(Self {
+            ways: Ways::new(surface, scales, path, Edges::default())?,
+            scales: (scales.0.clone(), scales.1.clone()),
+            held: None,
+            nearest: None,
+            signed: false,
+        })
     }
 
     /// As [`free`](Self::free), by the [nearest](NearestScale) scale functions with which the surface meets `conditions`.
@@ -142,67 +128,18 @@ impl<T: Scalar, const N: usize> SurfaceTuner<T, N> {
         SVector<T, N>: Turnable<T>,
     {
         edges.check(surface)?;
-        let mut tuner = Self::with_edges(surface, scales, path, edges)?;
         if edges == Edges::default() {
-            return Ok(tuner);
+            return Self::free(surface, scales, path);
         }
-        let shape = Surface::constant(tuner.u.clone(), tuner.v.clone(), SVector::zeros())?;
+        let ways = Ways::new(surface, scales, path, edges)?;
+        let shape = Surface::constant(ways.u.clone(), ways.v.clone(), SVector::zeros())?;
         let invariant = surface.invariant(&shape)?.into_coeffs();
-        tuner.held = Some(HeldEdges { edges, invariant, hold: hold_lines });
+        let held = Some(HeldEdges { edges, invariant, hold: hold_lines });
+        let scales = (scales.0.clone(), scales.1.clone());
+        let tuner = Self { ways, scales, held, nearest: None, signed: false };
         // The scale one says what no scale can hold.
-        let mut points = shape.into_coeffs();
-        tuner.walk(&vec![T::one(); scales.0.dim() * scales.1.dim()], &mut points)?;
+        tuner.walk(&vec![T::one(); tuner.scales.dim()], &mut shape.into_coeffs())?;
         Ok(tuner)
-    }
-
-    fn with_edges(
-        surface: &Surface<T, N>,
-        scales: (&SplineSpace<T>, &SplineSpace<T>),
-        path: Path,
-        edges: Edges,
-    ) -> Result<Self> {
-        let one = TensorSpline::constant(scales.0.clone(), scales.1.clone(), T::one())?;
-        let is_held = |last: Direction| edges.orders(last) != [None, None];
-        let shape = |last: Direction| {
-            if is_held(last) {
-                surface.swept(last, &one)
-            } else {
-                surface.fine_tuned(Scale::Signed(&one), Path::ending_in(last))
-            }
-        };
-        let lasts: &[Direction] = match path {
-            Path::UThenV => &[V],
-            Path::VThenU => &[U],
-            Path::Both => &[V, U],
-        };
-        let shapes: Vec<Surface<T, N>> = lasts.iter().map(|last| shape(*last)).collect::<Result<_>>()?;
-        let common = match shapes.as_slice() {
-            [uv, vu] => uv.sum(vu)?,
-            other => other[0].clone(),
-        };
-        let way = |(last, shape): (&Direction, &Surface<T, N>)| {
-            let map = |direction: Direction| {
-                let (from, to) = (shape.space(direction), common.space(direction));
-                (from != to).then(|| from.embedding(to)).transpose()
-            };
-            let table =
-                PathTable::new(surface, [scales.0, scales.1], *last, [shape.u(), shape.v()], is_held(*last))?;
-            let lines = |s: Surface<T, N>| if *last == V { s } else { s.transposed() };
-            let invariant = match is_held(*last) {
-                true => lines(surface.invariant(shape)?).into_coeffs(),
-                false => Vec::new(),
-            };
-            Ok(Way { table, invariant, finish: [map(last.other())?, map(*last)?] })
-        };
-        Ok(Self {
-            ways: lasts.iter().zip(&shapes).map(way).collect::<Result<_>>()?,
-            u: common.u().clone(),
-            v: common.v().clone(),
-            scales: (scales.0.clone(), scales.1.clone()),
-            held: None,
-            nearest: None,
-            signed: false,
-        })
     }
 
     /// The same without asking for positive scale functions, as [`Scale::Signed`](crate::Scale::Signed).
@@ -212,12 +149,12 @@ impl<T: Scalar, const N: usize> SurfaceTuner<T, N> {
 
     /// The space in `u` of the tuned surfaces.
     pub fn u(&self) -> &SplineSpace<T> {
-        &self.u
+        &self.ways.u
     }
 
     /// The space in `v` of the tuned surfaces.
     pub fn v(&self) -> &SplineSpace<T> {
-        &self.v
+        &self.ways.v
     }
 
     /// The spaces of the scale functions.
@@ -230,9 +167,9 @@ impl<T: Scalar, const N: usize> SurfaceTuner<T, N> {
     /// # Errors
     /// Those of [`tune_into`](Self::tune_into); [`NotFinite`](Error::NotFinite) on overflow.
     pub fn tuned(&self, alpha: &[T]) -> Result<Surface<T, N>> {
-        let mut points = vec![SVector::zeros(); self.u.dim() * self.v.dim()];
+        let mut points = vec![SVector::zeros(); self.u().dim() * self.v().dim()];
         self.tune_into(alpha, &mut points)?;
-        Surface::new(self.u.clone(), self.v.clone(), points)
+        Surface::new(self.u().clone(), self.v().clone(), points)
     }
 
     /// Writes the control points of the [tuned](Self::tuned) surface to `points`, row by row. While the values of `alpha` are
@@ -246,7 +183,7 @@ impl<T: Scalar, const N: usize> SurfaceTuner<T, N> {
     /// those of [`NearestScale::to`]; with held edges [`TuneError::NoChord`](crate::TuneError::NoChord). Then `points` is as it
     /// was.
     pub fn tune_into(&self, alpha: &[T], points: &mut [SVector<T, N>]) -> Result<()> {
-        let places = self.u.dim() * self.v.dim();
+        let places = self.u().dim() * self.v().dim();
         if points.len() != places {
             return Err(Error::CoefficientCount { expected: places, found: points.len() });
         }
@@ -264,59 +201,17 @@ impl<T: Scalar, const N: usize> SurfaceTuner<T, N> {
 
     /// The control points, after each path the ends of its lines held, then the edges.
     fn walk(&self, alpha: &[T], points: &mut [SVector<T, N>]) -> Result<()> {
-        let mut paths = Vec::with_capacity(self.ways.len());
-        for way in &self.ways {
-            let (mut lines, last) = (way.table.lines(alpha), way.table.last);
-            if let Some(held) = &self.held {
-                (held.hold)(&mut lines, &way.invariant, way.table.length, held.edges.orders(last))
-                    .map_err(|(line, error)| in_line(error, last, line))?;
-            }
-            paths.push(way.finished(lines));
-        }
-        let mut paths = paths.into_iter();
-        let mut mean = paths.next().unwrap_or_default();
-        if let Some(other) = paths.next() {
-            let half = T::frac(1, 2);
-            for (point, other) in mean.iter_mut().zip(&other) {
-                *point += other;
-                point.scale(&half);
-            }
-        }
-        if let Some(held) = &self.held {
-            restore_edges(&mut mean, &held.invariant, [self.u.dim(), self.v.dim()], held.edges)?;
-        }
+        let Some(held) = &self.held else {
+            points.clone_from_slice(&self.ways.walk(alpha, |_, _| Ok(()))?);
+            return Ok(());
+        };
+        let mut mean = self.ways.walk(alpha, |way, lines| {
+            let (last, length) = (way.table.last, way.table.length);
+            (held.hold)(lines, &way.invariant, length, held.edges.orders(last))
+                .map_err(|(line, error)| in_line(error, last, line))
+        })?;
+        restore_edges(&mut mean, &held.invariant, [self.u().dim(), self.v().dim()], held.edges)?;
         points.clone_from_slice(&mean);
         Ok(())
     }
-}
-
-impl<T: Scalar, const N: usize> Way<T, N> {
-    /// The control points of this path row by row, among those of the mean.
-    fn finished(&self, mut lines: Vec<SVector<T, N>>) -> Vec<SVector<T, N>> {
-        let [across, along] = &self.finish;
-        let mut length = self.table.length;
-        if let Some(map) = along {
-            lines = mapped(&lines, length, map);
-            length = map.target_dim();
-        }
-        match (across, self.table.last) {
-            (None, V) => lines,
-            (None, U) => transposed(&lines, length),
-            (Some(map), last) => {
-                let turned = transposed(&lines, length);
-                let turned = mapped(&turned, turned.len() / length, map);
-                if last == U { turned } else { transposed(&turned, map.target_dim()) }
-            }
-        }
-    }
-}
-
-/// The image of each line of some length.
-fn mapped<T: Scalar, const N: usize>(
-    lines: &[SVector<T, N>],
-    length: usize,
-    map: &LinearMap<T>,
-) -> Vec<SVector<T, N>> {
-    let image = |line| map.rows().map(move |(first, weights)| weigh(first, weights, line));
-    lines.chunks_exact(length).flat_map(image).collect()
 }
