@@ -9,8 +9,8 @@
 mod support;
 
 use nalgebra::{SVector, vector};
-use support::{Outcome, seen, shaded, target, write};
-use symspline::plot::{Color, Figure, Panel, Style};
+use support::{Outcome, target, write};
+use symspline::plot::{Color, ColorScale, Figure, Mesh, Panel, Scene, View};
 use symspline::{Curve, Direction, Function, Norm, Skin, SplineSpace, Surface};
 
 type Section = Curve<f64, 3>;
@@ -60,11 +60,13 @@ fn main() -> Outcome<()> {
     assert!(deformed.u() == hull.u() && deformed.v() == hull.v());
     let (gap, angle) = meeting(&before, &deformed)?;
     println!("where the skin goes on from its neighbour: gap {gap:.1e}, angle between normals {angle:.1e}");
-    let figure = Figure::new(1000.0)
-        .title("A skin deformed by fine tuning three of its sections")
-        .panel(picture("(a) Sections, and the surface it goes on from", &hull, &before, &sections, &[])?)
-        .panel(picture("(b) After fine tuning: sections 2, 3 and 4", &deformed, &before, &tuned, &sections)?);
-    write(&figure, &target("skinning"))
+    draw(
+        &before,
+        [
+            ("sections, and the surface it goes on from", &hull, &sections),
+            ("sections 2, 3 and 4 fine-tuned", &deformed, &tuned),
+        ],
+    )
 }
 
 /// The skin through the sections, tangent to the surface before it, and level at its end.
@@ -104,27 +106,30 @@ fn meeting(before: &Sheet, after: &Sheet) -> Outcome<(f64, f64)> {
     Ok((gap, angle))
 }
 
-/// The skin and its neighbour with the sections on top, and some others dashed.
-fn picture(
-    title: &str,
-    skin: &Sheet,
-    before: &Sheet,
-    sections: &[Section],
-    old: &[Section],
-) -> Outcome<Panel> {
-    let panel = Panel::new().title(title).equal_axes().x_range(-0.25, 1.65).y_range(-0.25, 1.0).height(420.0);
-    let mut panel = shaded(shaded(panel, skin, 48)?, before, 16)?;
-    let changed = |k: usize, section: &Section| old.get(k).is_some_and(|old| old != section);
-    let drawn = |section: &Section| -> Outcome<Vec<(f64, f64)>> {
-        let point = |k: i32| section.at(&(f64::from(k) / 120.0)).map(|p: SVector<f64, 3>| seen(p));
-        Ok((0..=120).map(point).collect::<symspline::Result<_>>()?)
+/// Each skin with its sections, going on from its neighbour: shape, and mean curvature as colours.
+fn draw(before: &Sheet, skins: [(&str, &Sheet, &Vec<Section>); 2]) -> Outcome<()> {
+    let sampled = |(_, skin, _): &(&str, &Sheet, &Vec<Section>)| {
+        Mesh::sampled(*skin, 160, 120, Sheet::mean_curvature_at)
     };
-    for (k, section) in sections.iter().enumerate() {
-        if changed(k, section) {
-            panel = panel.polyline(drawn(&old[k])?, Style::line(Color::BLACK).width(1.2).dashed());
+    let meshes = skins.iter().map(sampled).collect::<symspline::Result<Vec<Mesh>>>()?;
+    let beside = Mesh::of(before, 160, 16)?;
+    let colors = ColorScale::about_zero(&meshes.iter().collect::<Vec<_>>(), 0.95)?;
+    let view = View::new(-50.0, 32.0).framing(&[&meshes[0], &meshes[1], &beside])?;
+    let (gray, light) = (Color::new(170, 170, 170), Color::new(205, 210, 215));
+    let mut shape = Panel::new();
+    let mut curvature = Panel::new().color_bar(&colors, "mean curvature");
+    for (mesh, (caption, _, sections)) in meshes.iter().zip(skins) {
+        let mut plain = Scene::new().mesh(mesh, light).mesh(&beside, gray);
+        let mut colored = Scene::new().mesh(mesh, &colors).mesh(&beside, gray);
+        for section in sections {
+            let points = (0..=160).map(|k| section.at(&(f64::from(k) / 160.0)));
+            let points: Vec<SVector<f64, 3>> = points.collect::<symspline::Result<_>>()?;
+            plain = plain.line(points.clone(), Color::GREEN, 3.0);
+            colored = colored.line(points, Color::new(60, 60, 60), 1.5);
         }
-        let color = if changed(k, section) { Color::VERMILLION } else { Color::GREEN };
-        panel = panel.polyline(drawn(section)?, Style::line(color).width(2.0));
+        shape = shape.picture(caption, plain.image(&view, 900, 600)?);
+        curvature = curvature.picture(caption, colored.image(&view, 900, 600)?);
     }
-    Ok(panel)
+    let figure = Figure::new(1000.0).title("A skin deformed by fine tuning three of its sections");
+    write(&figure.panel(shape).panel(curvature), &target("skinning"))
 }
