@@ -1,4 +1,4 @@
-//! Exact algebra of spline curves and surfaces, polynomial and rational, and fine tuning of curves.
+//! Exact algebra of spline curves and surfaces, polynomial and rational, fine tuning of both, and shape tools.
 //!
 //! A [`SplineSpace`] is a value: a degree, knots, and how the ends meet. A [`Spline`] is a list of coefficients in a
 //! space: numbers ([`Function`]) or points ([`Curve`]). Operators are maps between spaces, kept as rows of weights
@@ -22,7 +22,7 @@
 //! - spaces: [`SplineSpace`], with its methods for finer, united and product spaces and for basis functions;
 //! - operators: methods of [`Spline`], explained file by file in [`ops`];
 //! - surfaces: [`tensor`]; rational curves and surfaces: [`rational`];
-//! - splines from data, and conics: [`build`];
+//! - splines from data, skins, and conics: [`build`];
 //! - roots of polynomials: [`roots`];
 //! - zeros, curvature profiles, lengths, frames, nearest points, meetings: [`analysis`];
 //! - fine tuning: [`fine_tune`];

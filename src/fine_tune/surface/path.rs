@@ -41,8 +41,8 @@ impl<T: Scalar, const N: usize> Surface<T, N> {
     /// also where the surface is periodic, since nothing holds its seam together: [`fine_tuned_from`](Self::fine_tuned_from)
     /// and conditions on the scale ([`NearestScale`](crate::NearestScale)) do that.
     ///
-    /// Rational surfaces are not fine-tuned: the integral of their scaled derivative is not rational. Approximate them by a
-    /// polynomial surface first.
+    /// The integral of the scaled derivative of a rational surface is not rational, so those are approximated first, within a
+    /// certified tolerance: [`polynomial_within`](crate::Rational::polynomial_within).
     ///
     /// # Errors
     /// [`NotPositive`](crate::Error::NotPositive), [`Undecided`](crate::Error::Undecided) unless `alpha` is proved to be
