@@ -43,10 +43,13 @@ impl<T: Scalar, const N: usize> Approximation<Curve<T, N>, T> {
         let alpha = alpha.into().function()?;
         let spline = self.spline.fine_tuned(Scale::Signed(alpha))?;
         let opened = alpha.clamped_ends()?;
-        let steps = opened.coeffs().windows(2).map(|c| (c[1].clone() - &c[0]).magnitude());
-        let variation = steps.fold(T::zero(), |sum, step| sum + step);
         let start = (T::one() - &opened.coeffs()[0]).magnitude();
-        let factor = start + alpha.size_bound()? + variation;
+        let factor = start + alpha.size_bound()? + variation(opened.coeffs());
         Ok(Self { spline, bound: finite(self.bound.clone() * factor)? })
     }
+}
+
+/// The total variation of some coefficients, `Σ |c_i+1 - c_i|`.
+pub(crate) fn variation<T: Scalar>(coeffs: &[T]) -> T {
+    coeffs.windows(2).fold(T::zero(), |sum, c| sum + (c[1].clone() - &c[0]).magnitude())
 }

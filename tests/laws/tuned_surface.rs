@@ -1,10 +1,13 @@
 //! Laws of surfaces with scaled derivatives along one path or two, exact.
 
-use crate::strategies::{ANY, Kind, RING, cases, number, probe_pairs, surface_and_field};
+use crate::strategies::{ANY, Kind, RING, cases, number, point, probe_pairs, surface_and_field};
 use nalgebra::SVector;
+use proptest::collection::vec;
 use proptest::prelude::*;
 use symspline::Direction::{self, U, V};
-use symspline::{Edge, Error, Path, Q, Result, Scalar, Scale, Surface, SurfaceTuner, TensorSpline};
+use symspline::{
+    Approximation, Edge, Error, Path, Q, Result, Scalar, Scale, Surface, SurfaceTuner, TensorSpline,
+};
 
 const SHAPE: Kind = ANY.of_degree(1, 3).smooth(1).few(2);
 const SCALE: Kind = ANY.of_degree(0, 2).few(2);
@@ -134,6 +137,28 @@ proptest! {
                 let refused = matches!(error, Error::NotPositive { .. } | Error::Undecided);
                 prop_assert!(refused && lowest.bound <= Q::int(0));
                 prop_assert_eq!(tuner.tuned(alpha.coeffs()).unwrap_err(), error);
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_near_stays_near(
+        (s, alpha) in surface_and_field::<2>([SHAPE.of_degree(1, 2); 2], [SCALE; 2]), shift in vec(point::<2>(), 7),
+    ) {
+        let by = |k: usize| shift[k * k % 7].map(|x| x / Q::int(100));
+        let moved = s.coeffs().iter().enumerate().map(|(k, c)| c + by(k)).collect();
+        let near = Surface::new(s.u().clone(), s.v().clone(), moved)?;
+        let difference = near.difference(&s)?;
+        let size = |c: &SVector<Q, 2>| c[0].magnitude() + c[1].magnitude();
+        let bound = difference.coeffs().iter().map(size).max().expect("coefficients");
+        let near = Approximation { spline: near, bound };
+        for path in PATHS {
+            let tuned = near.fine_tuned(Scale::Signed(&alpha), path)?;
+            let gap = tuned.spline.difference(&s.fine_tuned(Scale::Signed(&alpha), path)?)?;
+            let square = tuned.bound.clone() * &tuned.bound;
+            for (u, v) in probe_pairs(&gap) {
+                let d = gap.at(&u, &v)?;
+                prop_assert!(d[0].clone() * &d[0] + d[1].clone() * &d[1] <= square);
             }
         }
     }

@@ -7,5 +7,6 @@ mod table;
 mod ways;
 pub mod condition;
 pub mod tuner;
+pub mod near;
 pub mod gap;
 pub mod local;
