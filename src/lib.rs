@@ -95,7 +95,7 @@ pub use build::skin::Skin;
 pub use coeff::Coeff;
 pub use constrain::change::LeastChange;
 pub use constrain::least::Excess;
-pub use constrain::norm::{CoeffSpace, Norm};
+pub use constrain::norm::{CoeffSpace, Norm, SpacePair};
 pub use constrain::sparse::SparseRow;
 pub use dense::solve_dense;
 pub use error::shape::ShapeError;

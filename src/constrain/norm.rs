@@ -56,8 +56,11 @@ impl<T: Scalar> CoeffSpace<T> for SplineSpace<T> {
     }
 }
 
+/// The spaces of functions of two parameters: along `u`, along `v`.
+pub type SpacePair<T> = (SplineSpace<T>, SplineSpace<T>);
+
 /// `G = G_u ⊗ G_v`: solved along one direction after the other.
-impl<T: Scalar> CoeffSpace<T> for (SplineSpace<T>, SplineSpace<T>) {
+impl<T: Scalar> CoeffSpace<T> for SpacePair<T> {
     fn dim(&self) -> usize {
         self.0.dim() * self.1.dim()
     }

@@ -1,6 +1,6 @@
 //! Spaces of scale functions: one for curves, a pair of them for surfaces.
 
-use crate::constrain::norm::CoeffSpace;
+use crate::constrain::norm::{CoeffSpace, SpacePair};
 use crate::error::{Error, Result};
 use crate::fine_tune::scale::ScaleFunction;
 use crate::map::LinearMap;
@@ -74,7 +74,7 @@ impl<T: Scalar> ScaleSpace<T> for SplineSpace<T> {
     }
 }
 
-impl<T: Scalar> ScaleSpace<T> for (SplineSpace<T>, SplineSpace<T>) {
+impl<T: Scalar> ScaleSpace<T> for SpacePair<T> {
     type Function = TensorSpline<T>;
 
     fn function(&self, coeffs: Vec<T>) -> Result<TensorSpline<T>> {

@@ -78,7 +78,7 @@ proptest! {
         // One is a scale that does so too: none is farther than that, and asking again changes nothing.
         let one = TensorSpline::constant(pair.0.clone(), pair.1.clone(), Q::int(1))?;
         prop_assert!(distance(&alpha, &wanted, norm)? <= distance(&one, &wanted, norm)?);
-        prop_assert_eq!(nearest.to_signed(&alpha)?, alpha.clone());
+        prop_assert_eq!(&nearest.to_signed(&alpha)?, &alpha);
         prop_assert_eq!(nearest.to(&one)?, one);
         // The change is across all changes that keep the conditions: α to one is one of them.
         let square = distance(&alpha, &wanted, norm)? + distance(&alpha, &one_like(&pair)?, norm)?;

@@ -52,8 +52,10 @@ fn figure_11_holds_its_boundary_and_figure_12_its_curvatures() -> Result<()> {
         for (u, v) in [(&a, &x), (&b, &x), (&x, &a), (&x, &b)] {
             let [found, was] = [&held.surface, &long].map(|s| s.derivatives_at(u, v, 2));
             let (found, was) = (found?, was?);
-            let across: fn(&[Vec<SVector<Q, 2>>], usize) -> SVector<Q, 2> =
-                if v == &x { |jet, k| jet[k][0].clone() } else { |jet, k| jet[0][k].clone() };
+            let across = |jet: &[Vec<SVector<Q, 2>>], k: usize| match v == &x {
+                true => jet[k][0].clone(),
+                false => jet[0][k].clone(),
+            };
             for k in 0..=2 {
                 assert_eq!(across(&found, k), across(&was, k), "({u}, {v}) {k}");
             }

@@ -13,7 +13,7 @@
 //! that is what is asked for here.
 
 use crate::coeff::Coeff;
-use crate::constrain::norm::{CoeffSpace, Norm};
+use crate::constrain::norm::{CoeffSpace, Norm, SpacePair};
 use crate::error::tune::TuneError;
 use crate::error::{Error, Result};
 use crate::fine_tune::ends::check_count;
@@ -74,7 +74,7 @@ pub enum SurfaceCondition<T, const N: usize> {
     },
 }
 
-impl<T: Scalar> NearestScale<T, (SplineSpace<T>, SplineSpace<T>)> {
+impl<T: Scalar> NearestScale<T, SpacePair<T>> {
     /// The conditions on fine-tuned versions of `surface` along `path` by scale functions over the pair `scales`, nearness
     /// measured by `norm`.
     ///

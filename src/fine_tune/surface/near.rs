@@ -9,7 +9,6 @@
 //! where `V` is the total variation, at most that of the coefficients, as for [curves](crate::fine_tune::approximate). Along the
 //! other path directions are exchanged, and the mean of two paths has the mean of both bounds.
 
-use crate::coeff::Coeff;
 use crate::error::Result;
 use crate::fine_tune::approximate::variation;
 use crate::fine_tune::scale::Scale;

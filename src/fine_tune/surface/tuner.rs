@@ -1,6 +1,6 @@
 //! Fine tuning of one surface by many scale functions, while a value of `α` is dragged: the map `α ↦ T` prepared.
 
-use crate::constrain::norm::{CoeffSpace, Norm};
+use crate::constrain::norm::{CoeffSpace, Norm, SpacePair};
 use crate::error::{Error, Result};
 use crate::fine_tune::nearest_scale::NearestScale;
 use crate::fine_tune::scale_space::check_values;
@@ -37,9 +37,9 @@ use super::ways::Ways;
 #[derive(Clone, Debug)]
 pub struct SurfaceTuner<T: Scalar, const N: usize> {
     ways: Ways<T, N>,
-    scales: (SplineSpace<T>, SplineSpace<T>),
+    scales: SpacePair<T>,
     held: Option<HeldEdges<T, N>>,
-    nearest: Option<NearestScale<T, (SplineSpace<T>, SplineSpace<T>)>>,
+    nearest: Option<NearestScale<T, SpacePair<T>>>,
     /// Whether scale functions may have any sign.
     signed: bool,
 }
