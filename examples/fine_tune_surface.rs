@@ -224,7 +224,7 @@ fn ship() -> Outcome<()> {
     let wave =
         |x: &f64, y: &f64| 1.0 - 0.95 * (PI * x).sin().powi(2) * (1.0 - (2.0 * PI * (y - 0.1)).cos()) / 2.0;
     let values = us.iter().flat_map(|x| vs.iter().map(move |y| wave(x, y))).collect();
-    let alpha = nearest.to(&Field::new(u.clone(), v.clone(), values)?)?;
+    let alpha = nearest.to(&Field::new(u, v, values)?)?;
     let after = before.fine_tuned(&alpha, Path::UThenV)?;
     let mut off = 0.0_f64;
     for edge in [Edge::VStart, Edge::VEnd] {
