@@ -70,7 +70,7 @@ impl Question for FineTuning {
 
         let label = format!("{size}, prepared/{}", numbers.name);
         group.bench_function(label, |b| {
-            b.iter(|| SurfaceTuner::free(black_box(&surface), scales, Path::Both))
+            b.iter(|| SurfaceTuner::free(black_box(&surface), scales, Path::Both));
         });
         let free = SurfaceTuner::free(&surface, scales, Path::Both)?;
         let mut tuners = vec![

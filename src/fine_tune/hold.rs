@@ -79,7 +79,7 @@ impl<T: Scalar, const N: usize> Held<T, N> {
     /// At least the largest distance of the curve from its image: what holding more than the end points took.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] on overflow.
+    /// [`Error::NotFinite`](crate::Error::NotFinite) on overflow.
     pub fn deviation(&self) -> Result<T> {
         self.curve.distance_bound(&self.image)
     }
@@ -100,7 +100,7 @@ where
     /// sampled, not proved.
     ///
     /// # Errors
-    /// [`Error::Stationary`] where a curve stands still.
+    /// [`Error::Stationary`](crate::Error::Stationary) where a curve stands still.
     pub fn curvature_deviation(&self, per_span: usize) -> Result<T> {
         let mut largest = T::zero();
         for span in self.curve.space().breaks().windows(2) {
@@ -126,8 +126,8 @@ where
     /// curves are exact over any field, space curves need a [`Real`].
     ///
     /// # Errors
-    /// [`Error::NoChord`] if the matched points of the curve coincide at both ends, as in a closed curve: no scaling
-    /// puts them in place. [`Error::CoefficientCount`] if the result has fewer than `2 j + 2` control points. Those of
+    /// [`Error::NoChord`](crate::Error::NoChord) if the matched points of the curve coincide at both ends, as in a closed curve: no scaling
+    /// puts them in place. [`Error::CoefficientCount`](crate::Error::CoefficientCount) if the result has fewer than `2 j + 2` control points. Those of
     /// [`fine_tuned`](Curve::fine_tuned).
     ///
     /// # Examples

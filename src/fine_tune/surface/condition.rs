@@ -83,7 +83,7 @@ impl<T: Scalar> NearestScale<T, SpacePair<T>> {
     ///
     /// # Errors
     /// [`Error::DomainMismatch`]; [`Error::OutsideDomain`] for the parameters of a condition; [`Error::IndexOutOfRange`];
-    /// [`TuneError::NoEdge`](crate::TuneError::NoEdge) if an edge is that of a direction in which the surface is periodic;
+    /// [`TuneError::NoEdge`] if an edge is that of a direction in which the surface is periodic;
     /// [`Error::CoefficientCount`] if there are too few lines of control points for the order at an edge; [`Error::NotFinite`];
     /// [`Error::Discontinuous`] if the surface may jump; [`Error::TooLarge`].
     ///
