@@ -158,7 +158,7 @@ mod tests {
                 match x.cmp(&y) {
                     std::cmp::Ordering::Less => assert_eq!(*pixel, Color::BLUE),
                     std::cmp::Ordering::Equal if x < 6 => {
-                        assert!(*pixel != Color::BLUE && *pixel != Color::WHITE)
+                        assert!(*pixel != Color::BLUE && *pixel != Color::WHITE);
                     }
                     _ => assert_eq!(*pixel, Color::WHITE),
                 }
