@@ -1,9 +1,9 @@
 //! Values and derivatives at parameters as rows of weights, and whether they determine a spline.
 //!
 //! Whether they do is decided before anything is solved: every coefficient needs a row of its own, in order, that it has a part
-//! in (Schoenberg and Whitney; [deBoor, 2001]). Which coefficients those are the knots say. Let `x` in the span `k` be a knot of
-//! multiplicity `m`, 0 if it is none. To the right of `x` the basis functions `N_{k-m+1}, ..., N_k` begin there, and `N_{k-p+d}`
-//! does so with the order `d` of its first derivative that does not vanish. So the derivative of order `d` from the right has a part for
+//! in (Schoenberg and Whitney; [deBoor, 2001]). For values these are the weights that do not vanish; for derivatives the knots say
+//! it. Let `x` in the span `k` be a knot of multiplicity `m`, 0 if it is none. To the right of `x` the basis functions
+//! `N_{k-m+1}, ..., N_k` begin there, and `N_{k-p+d}` does so with the order `d` of its first derivative that does not vanish. So the derivative of order `d` from the right has a part for
 //!
 //! ```text
 //! k - p  <=  i  <=  max(k - m, k - p + d)
@@ -41,13 +41,13 @@ pub(crate) fn check_data<T: Scalar, C: Coeff<T>>(
     }
 }
 
-/// A value or derivative at a parameter.
+/// A derivative at a parameter, or a value, of order 0.
 #[derive(Debug)]
 pub(crate) struct Datum<T> {
     /// The row of weights, of a derivative of order `d` times the `d`-th power of the length of the span.
     pub row: Functional<T>,
-    /// That power.
-    pub unit: T,
+    /// That power, which the value is to be multiplied with.
+    unit: T,
     /// The first and last of the unrolled coefficients that have a part in it.
     columns: (usize, usize),
     /// Where it stands among the data in the order of the coefficients they fix.
@@ -79,62 +79,70 @@ impl<T: Scalar> Datum<T> {
         Ok(Self { row, unit, columns, rank })
     }
 
+    /// What the row is to be for the derivative to be `value`.
+    pub(crate) fn scaled<C: Coeff<T>>(&self, value: &C) -> C {
+        if self.unit.is_one() { value.clone() } else { value.scaled(&self.unit) }
+    }
+
     fn weighs(&self, i: usize) -> bool {
         (self.columns.0..=self.columns.1).contains(&i)
     }
 }
 
 /// The values at the parameters, if they determine the spline.
-pub(crate) fn values<T: Scalar>(space: &SplineSpace<T>, parameters: &[T]) -> Result<Vec<Datum<T>>> {
-    let datum = |(place, x)| Datum::of(space, x, 0, place);
-    let data: Vec<Datum<T>> = parameters.iter().enumerate().map(datum).collect::<Result<_>>()?;
+pub(crate) fn values<T: Scalar>(space: &SplineSpace<T>, parameters: &[T]) -> Result<Vec<Functional<T>>> {
+    let rows: Vec<Functional<T>> = parameters.iter().map(|x| space.basis(x)).collect::<Result<_>>()?;
     // Repeated parameters say nothing new.
-    let fresh = |i: &usize| *i == 0 || parameters[*i - 1] != parameters[*i];
-    check_determined(space, (0..data.len()).filter(fresh).map(|i| &data[i]).collect())?;
-    Ok(data)
+    let fresh = |k: &usize| *k == 0 || parameters[*k - 1] != parameters[*k];
+    let weighs = |row: &Functional<T>, i: usize| {
+        i.checked_sub(row.first()).and_then(|k| row.weights().get(k)).is_some_and(|w| !w.is_zero())
+    };
+    check_determined(space, (0..rows.len()).filter(fresh), |k, i| weighs(&rows[k], i))?;
+    Ok(rows)
 }
 
 /// The value at each parameter, and the next derivative wherever a parameter comes again, if they determine the spline.
 pub(crate) fn jets<T: Scalar>(space: &SplineSpace<T>, parameters: &[T]) -> Result<Vec<Datum<T>>> {
     let mut data: Vec<Datum<T>> = Vec::with_capacity(parameters.len());
-    let mut order = 0;
+    let mut d = 0;
     for (place, x) in parameters.iter().enumerate() {
-        order = if place > 0 && parameters[place - 1] == *x { order + 1 } else { 0 };
-        if order > space.degree() {
-            return Err(Error::DegreeTooLow { degree: space.degree(), needed: order });
+        d = if place > 0 && parameters[place - 1] == *x { d + 1 } else { 0 };
+        if d > space.degree() {
+            return Err(Error::DegreeTooLow { degree: space.degree(), needed: d });
         }
-        data.push(Datum::of(space, x, order, place)?);
+        data.push(Datum::of(space, x, d, place)?);
     }
-    check_determined(space, data.iter().collect())?;
+    let mut order: Vec<usize> = (0..data.len()).collect();
+    order.sort_by_key(|&k| data[k].rank);
+    check_determined(space, order, |k, i| data[k].weighs(i))?;
     Ok(data)
 }
 
-/// That each coefficient of an open space has a datum of its own.
-fn check_determined<T: Scalar>(space: &SplineSpace<T>, mut data: Vec<&Datum<T>>) -> Result<()> {
+/// That each coefficient of an open space has a datum of its own, in their `order`, that `weighs` it.
+fn check_determined<T: Scalar>(
+    space: &SplineSpace<T>,
+    order: impl IntoIterator<Item = usize>,
+    weighs: impl Fn(usize, usize) -> bool,
+) -> Result<()> {
     if space.is_periodic() {
         return Ok(());
     }
-    data.sort_by_key(|datum| datum.rank);
-    let mut remaining = data.into_iter();
-    match (0..space.dim()).find(|&i| !remaining.any(|datum| datum.weighs(i))) {
+    let mut remaining = order.into_iter();
+    match (0..space.dim()).find(|&i| !remaining.any(|k| weighs(k, i))) {
         Some(index) => Err(Error::Undetermined { index }),
         None => Ok(()),
     }
 }
 
-/// The spline of `space` with these data, as many as coefficients.
-pub(crate) fn solved<T: Scalar, C: Coeff<T>>(
+/// The spline of `space` on whose coefficients the rows, as many as these, have the given values.
+pub(crate) fn solved<'a, T: Scalar, C: Coeff<T>>(
     space: &SplineSpace<T>,
-    rows: &[Datum<T>],
-    data: &[C],
+    rows: impl Iterator<Item = &'a Functional<T>>,
+    values: impl Iterator<Item = C>,
 ) -> Result<Spline<T, C>> {
     let mut system = BandedSystem::new(space.dim(), border(space));
-    for (datum, value) in rows.iter().zip(data) {
-        let mut value = value.clone();
-        if !datum.unit.is_one() {
-            value.scale(&datum.unit);
-        }
-        system.push(datum.row.first(), datum.row.weights(), value);
+    for (row, value) in rows.zip(values) {
+        system.push(row.first(), row.weights(), value);
     }
     Spline::new(space.clone(), system.solve()?)
 }

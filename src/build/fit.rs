@@ -4,7 +4,7 @@
 //! its own, in order, at which its basis function does not vanish (Schoenberg and Whitney; [deBoor, 2001]). Least
 //! squares solve the normal equations `Σ_k N_i(x_k) (f(x_k) - d_k) = 0`, which over `Q` is exact.
 
-use crate::build::collocate::{Datum, border, check_data, solved, values};
+use crate::build::collocate::{border, check_data, solved, values};
 use crate::coeff::Coeff;
 use crate::error::{Error, Result};
 use crate::linalg::BandedSystem;
@@ -43,7 +43,7 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
         if parameters.len() != space.dim() {
             return Err(Error::CoefficientCount { expected: space.dim(), found: parameters.len() });
         }
-        solved(space, &values(space, parameters)?, data)
+        solved(space, values(space, parameters)?.iter(), data.iter().cloned())
     }
 
     /// The spline of `space` with the least sum of squared distances to `data` at `parameters`.
@@ -74,7 +74,7 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
         // Normal equation i has weights on the unrolled coefficients i - p ..= i + p, stored from i - p.
         let mut normal = vec![vec![T::zero(); 2 * p + 1]; dim];
         let mut right: Vec<C> = vec![data[0].zero_like(); dim];
-        for (Datum { row, .. }, value) in rows.iter().zip(data) {
+        for (row, value) in rows.iter().zip(data) {
             for (k, w) in row.weights().iter().enumerate() {
                 let i = space.slot(row.first() + k);
                 right[i].add_scaled(w, value);

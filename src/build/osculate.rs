@@ -43,6 +43,8 @@ impl<T: Scalar, C: Coeff<T>> Spline<T, C> {
         if parameters.len() != space.dim() {
             return Err(Error::CoefficientCount { expected: space.dim(), found: parameters.len() });
         }
-        solved(space, &jets(space, parameters)?, data)
+        let jets = jets(space, parameters)?;
+        let values = jets.iter().zip(data).map(|(datum, value)| datum.scaled(value));
+        solved(space, jets.iter().map(|datum| &datum.row), values)
     }
 }

@@ -64,7 +64,8 @@ fn halved<T: Scalar, C: Coeff<T>, const D: usize>(
     let whole = whole(&patch, errors);
     let beyond = |c: &Weighted<T, C>| size(&c.point) > enough.clone() * &c.weight;
     let decided = whole.as_ref().is_some_and(|bound| bound <= enough);
-    if decided || turn == HALVINGS * D || patch.corners().any(beyond) {
+    let is_constant = patch.coeffs.len() == 1;
+    if decided || is_constant || turn == HALVINGS * D || patch.corners().any(beyond) {
         return whole;
     }
     let mut most = T::zero();
@@ -128,5 +129,16 @@ mod tests {
         let noise = Patch { coeffs: vec![Weighted { point: 0.25, weight: 0.0 }; 3], ..noise };
         let off = fraction_bound(patch, Some(&noise), &8.0);
         assert!(off.bound.unwrap() > bound && off.floor == 0.25 && off.rises == [0.25]);
+    }
+
+    #[test]
+    fn constants_are_not_halved() {
+        let one = |point, weight| Patch {
+            degrees: [0, 0],
+            sides: [(0.0, 1.0), (0.0, 1.0)],
+            coeffs: vec![Weighted { point, weight }],
+        };
+        let bound = fraction_bound(one(1.0, 2.0), Some(&one(1.0, 0.0)), &0.75).bound.unwrap();
+        assert!((1.0..1.001).contains(&bound), "{bound}");
     }
 }

@@ -57,7 +57,8 @@ impl<D: Domain<T>, T: Scalar, C: Coeff<T>> Rational<D, T, C> {
     ///   `tolerance`. Periodic splines stay periodic, unclamped ones unclamped.
     /// - Equal weights give the numerator over them, in its own space. That is exact, as is what comes of tolerance zero.
     ///
-    /// The bound is a certificate, rounding included, and not more than the tolerance.
+    /// The bound is a certificate, rounding included, and not more than the tolerance. Over exact fields numbers get long where weights
+    /// differ much: then hundreds of coefficients take a minute. In `f64` what is found to be out of reach late takes seconds.
     ///
     /// # Errors
     /// [`Error::BadTolerance`]; [`Error::OutOfTolerance`] if the tolerance is below what rounding allows, or is zero and the spline is
@@ -207,24 +208,33 @@ fn worst<T: Scalar>(bounds: &[FractionBound<T>]) -> Option<T> {
 }
 
 /// The spaces with knots in the middle of spans under patches that fail, in the directions along which these change most; nothing if
-/// there is no room.
+/// there is no room, or if a patch fails that is too narrow to be halved.
 fn refined<T: Scalar>(
     spaces: &[SplineSpace<T>],
     bounds: &[FractionBound<T>],
     tolerance: &T,
 ) -> Option<Vec<SplineSpace<T>>> {
-    let counts: Vec<usize> = spaces.iter().map(|space| space.ends().len() - 1).collect();
-    let mut failing: Vec<Vec<bool>> = counts.iter().map(|&count| vec![false; count]).collect();
+    let is_wide = |ends: &[T]| middle(&ends[0], &ends[1]).is_some();
+    let wide: Vec<Vec<bool>> =
+        spaces.iter().map(|space| space.ends().windows(2).map(is_wide).collect()).collect();
+    let mut failing: Vec<Vec<bool>> = wide.iter().map(|wide| vec![false; wide.len()]).collect();
     for (i, patch) in bounds.iter().enumerate() {
         if patch.bound.as_ref().is_some_and(|bound| bound <= tolerance) {
             continue;
         }
         let most = patch.rises.iter().cloned().fold(T::zero(), larger_size);
-        let mut rest = i;
+        let (mut rest, mut is_stuck) = (i, true);
         for d in (0..spaces.len()).rev() {
+            let k = rest % wide[d].len();
             // A direction along which the error changes a quarter as much as along another counts as well.
-            failing[d][rest % counts[d]] |= patch.rises[d].clone() * T::int(16) >= most;
-            rest /= counts[d];
+            if patch.rises[d].clone() * T::int(16) >= most {
+                failing[d][k] = true;
+                is_stuck &= !wide[d][k];
+            }
+            rest /= wide[d].len();
+        }
+        if is_stuck {
+            return None;
         }
     }
     let finer = spaces.iter().zip(&failing).map(|(space, failing)| {
@@ -249,7 +259,11 @@ fn middles<T: Scalar>(space: &SplineSpace<T>, failing: &[bool]) -> Vec<T> {
         halved[i] |= failing[j] && is_longer(i, j);
         halved[j] |= failing[i] && is_longer(j, i);
     }
-    let middle = |i: usize| ends[i].clone() + length(i) / T::int(2);
-    let inside = |(i, t): (usize, T)| (ends[i] < t && t < ends[i + 1]).then_some(t);
-    (0..count).filter(|&i| halved[i]).map(|i| (i, middle(i))).filter_map(inside).collect()
+    (0..count).filter(|&i| halved[i]).filter_map(|i| middle(&ends[i], &ends[i + 1])).collect()
+}
+
+/// The middle of a span, if rounding leaves it inside.
+fn middle<T: Scalar>(a: &T, b: &T) -> Option<T> {
+    let middle = a.clone() + (b.clone() - a) / T::int(2);
+    (*a < middle && middle < *b).then_some(middle)
 }

@@ -294,6 +294,29 @@ fn only_lines_that_are_needed_are_added() {
 }
 
 #[test]
+fn steps_that_rounding_leaves_off_are_refused() {
+    let space = SplineSpace::clamped(0, [0.0, 1.0, 2.0]).unwrap();
+    let steps =
+        NurbsCurve::new(space.clone(), vec![vector![0.1, 0.7], vector![0.3, 0.2]], vec![3.0, 7.0]).unwrap();
+    let near = steps.polynomial_of_degree_within(0, &1e-12).unwrap();
+    assert!(near.spline.space() == &space && near.bound <= 1e-12);
+    assert!(matches!(steps.polynomial_of_degree_within(0, &1e-15), Err(Error::OutOfTolerance { .. })));
+}
+
+#[test]
+fn spans_too_narrow_to_be_halved_end_the_search() {
+    // A span of few digits, far from zero: where the error is, there is soon no room for knots, and elsewhere much.
+    let knots = [-139732.3828029511, -139732.13142138592, -139732.13142138493];
+    let space = SplineSpace::periodic(1, knots, 0.7423485243).unwrap();
+    let points = [[-0.26, -0.48], [-0.39, -0.31], [-0.01, 0.14]].map(SVector::from).to_vec();
+    let curve = NurbsCurve::new(space, points, vec![7e5, 7e-3, 2e-5]).unwrap();
+    let start = std::time::Instant::now();
+    let near = curve.polynomial_of_degree_within(4, &1e-8);
+    assert!(matches!(near, Err(Error::OutOfTolerance { .. })), "{near:?}");
+    assert!(start.elapsed().as_secs_f64() < 1.0, "{:?}", start.elapsed());
+}
+
+#[test]
 fn hostile_input_gives_a_value_or_an_error() {
     let space = SplineSpace::clamped(2, [0.0, 1e-9, 1.0, 1.0 + 1e-9, 1e6]).unwrap();
     let weights = vec![1.0, 1e6, 1.0, 1e-6, 1.0, 1e6];

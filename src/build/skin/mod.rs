@@ -204,7 +204,8 @@ impl<T: Scalar, C: Coeff<T>> Skin<T, C> {
     /// # Errors
     /// [`SkinError::TooFewSections`] unless there are, tangents included, more than `degree`; [`Error::DegreeTooLow`] if tangents
     /// are given and the degree is below 2; [`Error::TooLarge`], [`Error::DegreeTooHigh`]; [`Error::Singular`] for a closed skin of
-    /// even degree above 2 on uneven parameters that leave a freedom; in `f64` [`Error::SpanOutOfRange`] if parameters are too near.
+    /// even degree above 2 on uneven parameters that leave a freedom; in `f64` [`Error::SpanOutOfRange`], [`Error::Multiplicity`] or
+    /// [`Error::KnotsDecrease`] if parameters are so near that knots fall together.
     ///
     /// # Examples
     /// See [`Skin`].

@@ -5,26 +5,28 @@
 
 use crate::plot::solid::color_map::encoded;
 use crate::plot::style::Color;
+use std::ops::Range;
 
 /// Samples along each side of a pixel.
 pub(super) const SAMPLES: usize = 2;
 
-/// A picture as it grows. Places are `[x, y, nearness]` in pixels.
+/// Some rows of a picture as they grow. Places are `[x, y, nearness]` in pixels of the whole picture.
 #[derive(Debug)]
 pub(super) struct Raster {
     /// In samples.
     width: usize,
-    height: usize,
+    rows: Range<usize>,
     nearness: Vec<f64>,
     light: Vec<[f32; 3]>,
 }
 
 impl Raster {
-    /// An empty picture in one colour, given as light.
-    pub(super) fn new(width: usize, height: usize, ground: [f64; 3]) -> Self {
-        let (width, height) = (width * SAMPLES, height * SAMPLES);
-        let light = vec![ground.map(|part| part as f32); width * height];
-        Self { width, height, nearness: vec![f64::NEG_INFINITY; width * height], light }
+    /// Empty rows in one colour, given as light.
+    pub(super) fn new(width: usize, rows: Range<usize>, ground: [f64; 3]) -> Self {
+        let (width, rows) = (width * SAMPLES, rows.start * SAMPLES..rows.end * SAMPLES);
+        let count = width * rows.len();
+        let light = vec![ground.map(|part| part as f32); count];
+        Self { width, rows, nearness: vec![f64::NEG_INFINITY; count], light }
     }
 
     /// Draws a triangle; `light` gives the colour at barycentric coordinates. One without area is not seen.
@@ -34,8 +36,8 @@ impl Raster {
         if !area.is_normal() {
             return;
         }
-        let columns = covered([a[0], b[0], c[0]], self.width);
-        let rows = covered([a[1], b[1], c[1]], self.height);
+        let columns = covered([a[0], b[0], c[0]], &(0..self.width));
+        let rows = covered([a[1], b[1], c[1]], &self.rows);
         for row in rows {
             let y = row as f64;
             for column in columns.clone() {
@@ -44,7 +46,7 @@ impl Raster {
                 let w = ((b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0])) / area;
                 let u = 1.0 - v - w;
                 if u >= -1e-12 && v >= -1e-12 && w >= -1e-12 {
-                    self.put(row * self.width + column, u * a[2] + v * b[2] + w * c[2], || light([u, v, w]));
+                    self.put(row, column, u * a[2] + v * b[2] + w * c[2], || light([u, v, w]));
                 }
             }
         }
@@ -58,15 +60,15 @@ impl Raster {
         if !square.is_finite() {
             return;
         }
-        let columns = covered([a[0].min(b[0]) - radius, a[0].max(b[0]) + radius, a[0]], self.width);
-        let rows = covered([a[1].min(b[1]) - radius, a[1].max(b[1]) + radius, a[1]], self.height);
+        let columns = covered([a[0].min(b[0]) - radius, a[0].max(b[0]) + radius, a[0]], &(0..self.width));
+        let rows = covered([a[1].min(b[1]) - radius, a[1].max(b[1]) + radius, a[1]], &self.rows);
         for row in rows {
             for column in columns.clone() {
                 let d = [column as f64 - a[0], row as f64 - a[1]];
                 let share = ((d[0] * along[0] + d[1] * along[1]) / square.max(1e-300)).clamp(0.0, 1.0);
                 let off = [d[0] - share * along[0], d[1] - share * along[1]];
                 if off[0] * off[0] + off[1] * off[1] <= radius * radius {
-                    self.put(row * self.width + column, a[2] + share * (b[2] - a[2]), || light);
+                    self.put(row, column, a[2] + share * (b[2] - a[2]), || light);
                 }
             }
         }
@@ -83,14 +85,15 @@ impl Raster {
             }
             encoded(sum.map(|part| part / (SAMPLES * SAMPLES) as f64))
         };
-        let (rows, columns) = (self.height / SAMPLES, self.width / SAMPLES);
+        let (rows, columns) = (self.rows.len() / SAMPLES, self.width / SAMPLES);
         (0..rows)
             .flat_map(|row| (0..columns).map(move |column| (row, column)))
             .map(|(i, j)| mean(i, j))
             .collect()
     }
 
-    fn put(&mut self, sample: usize, nearness: f64, light: impl FnOnce() -> [f64; 3]) {
+    fn put(&mut self, row: usize, column: usize, nearness: f64, light: impl FnOnce() -> [f64; 3]) {
+        let sample = (row - self.rows.start) * self.width + column;
         if nearness > self.nearness[sample] {
             self.nearness[sample] = nearness;
             self.light[sample] = light().map(|part| part as f32);
@@ -98,13 +101,13 @@ impl Raster {
     }
 }
 
-/// The whole numbers below `count` from the least of the values to the greatest.
-fn covered(values: [f64; 3], count: usize) -> std::ops::Range<usize> {
+/// The whole numbers of a range from the least of the values to the greatest.
+fn covered(values: [f64; 3], range: &Range<usize>) -> Range<usize> {
     let low = values.iter().fold(f64::INFINITY, |low, x| low.min(*x));
     let high = values.iter().fold(f64::NEG_INFINITY, |high, x| high.max(*x));
     // Casts stop at the ends of usize.
     let (low, high) = (low.ceil().max(0.0) as usize, (high.floor() + 1.0).max(0.0) as usize);
-    low.min(count)..high.min(count)
+    low.clamp(range.start, range.end)..high.clamp(range.start, range.end)
 }
 
 #[cfg(test)]
@@ -117,7 +120,7 @@ mod tests {
     }
 
     fn empty() -> Raster {
-        Raster::new(8, 6, linear(Color::WHITE))
+        Raster::new(8, 0..6, linear(Color::WHITE))
     }
 
     #[test]
@@ -185,6 +188,17 @@ mod tests {
         assert_eq!(painted(&raster, Color::BLUE), 8);
         raster.line([[0.0, 3.0, -1.0], [8.0, 3.0, -1.0]], 2.0, 1.5, linear(Color::BLUE));
         assert_eq!(painted(&raster, Color::BLUE), 16);
+    }
+
+    #[test]
+    fn parts_of_a_picture_are_those_of_the_whole() {
+        let drawn = |rows| {
+            let mut raster = Raster::new(8, rows, linear(Color::WHITE));
+            raster.triangle([[0.3, 0.1, 0.0], [7.1, 2.2, 1.0], [2.6, 5.9, 2.0]], |[_, v, w]| [v, w, 0.0]);
+            raster.line([[0.0, 5.0, 3.0], [8.0, 0.5, 0.0]], 0.7, 0.1, linear(Color::BLUE));
+            raster.pixels()
+        };
+        assert_eq!([drawn(0..1), drawn(1..4), drawn(4..6)].concat(), drawn(0..6));
     }
 
     #[test]

@@ -13,6 +13,8 @@ use crate::plot::style::Color;
 
 /// No picture may have more pixels.
 const LARGEST: usize = 1 << 24;
+/// So many pixels are drawn at a time, since each takes much more memory while it is.
+const BAND: usize = 1 << 20;
 /// The colour of vertices without a value.
 pub(super) const GREY: Color = Color::new(165, 165, 165);
 /// By how much of the longer side of the picture lines are lifted towards the eye, to lie on surfaces and not in them.
@@ -115,18 +117,22 @@ impl<'a> Scene<'a> {
         let lines = self.lines.iter().flat_map(|line| &line.points);
         let points = self.meshes.iter().flat_map(|(mesh, _)| mesh.positions()).chain(lines);
         let projection = view.projection((width, height), points)?;
-        let mut raster = Raster::new(width, height, linear(Color::WHITE));
-        for (mesh, paint) in &self.meshes {
-            draw(&mut raster, mesh, paint, view, &projection);
-        }
-        let lift = LIFT * width.max(height) as f64;
-        for line in &self.lines {
-            let places: Vec<_> = line.points.iter().map(|p| projection.place(p)).collect();
-            for ends in places.windows(2) {
-                raster.line([ends[0], ends[1]], line.width, lift, linear(line.color));
+        let (rows, lift) = ((BAND / width).max(1), LIFT * width.max(height) as f64);
+        let mut pixels = Vec::with_capacity(width * height);
+        for first in (0..height).step_by(rows) {
+            let mut raster = Raster::new(width, first..height.min(first + rows), linear(Color::WHITE));
+            for (mesh, paint) in &self.meshes {
+                draw(&mut raster, mesh, paint, view, &projection);
             }
+            for line in &self.lines {
+                let places: Vec<_> = line.points.iter().map(|p| projection.place(p)).collect();
+                for ends in places.windows(2) {
+                    raster.line([ends[0], ends[1]], line.width, lift, linear(line.color));
+                }
+            }
+            pixels.extend(raster.pixels());
         }
-        Image::new(width, raster.pixels())
+        Image::new(width, pixels)
     }
 
     fn check(&self) -> Result<()> {
