@@ -126,6 +126,8 @@ impl<T: Scalar> LinearMap<T> {
     #[doc(alias = "kronecker")]
     pub fn tensor(&self, other: &Self) -> Result<Self> {
         let (m, n) = (self.source_dim, other.source_dim);
+        check_entries(m, n)?;
+        check_entries(self.target_dim(), other.target_dim())?;
         let mut map = Self::empty(m * n, self.target_dim() * other.target_dim());
         for (i, across) in self.rows() {
             for (j, along) in other.rows() {

@@ -1,7 +1,7 @@
 //! How large a change of coefficients is.
 
 use crate::coeff::Coeff;
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::linalg::BandedSystem;
 use crate::row::Row;
 use crate::scalar::Scalar;
@@ -40,7 +40,7 @@ pub trait CoeffSpace<T: Scalar> {
     /// `G^-1 r` for each of some rows `r`, `G` the Gram matrix of the basis.
     ///
     /// # Errors
-    /// [`DegreeTooHigh`](crate::Error::DegreeTooHigh), [`Singular`](crate::Error::Singular).
+    /// [`Error::CoefficientCount`] for a row of another length; [`Error::DegreeTooHigh`], [`Error::Singular`].
     fn gram_solved(&self, rows: &[Vec<T>]) -> Result<Vec<Vec<T>>>;
 }
 
@@ -50,6 +50,7 @@ impl<T: Scalar> CoeffSpace<T> for SplineSpace<T> {
     }
 
     fn gram_solved(&self, rows: &[Vec<T>]) -> Result<Vec<Vec<T>>> {
+        check_rows(rows, self.dim())?;
         let right = (0..self.dim()).map(|i| rows.iter().map(|row| row[i].clone()).collect());
         let solved = solved_by_gram(self, right)?;
         Ok((0..rows.len()).map(|k| solved.iter().map(|row| row[k].clone()).collect()).collect())
@@ -67,6 +68,7 @@ impl<T: Scalar> CoeffSpace<T> for SpacePair<T> {
 
     fn gram_solved(&self, rows: &[Vec<T>]) -> Result<Vec<Vec<T>>> {
         let (m, n) = (self.0.dim(), self.1.dim());
+        check_rows(rows, m * n)?;
         let strip = |i: usize| rows.iter().flat_map(|row| &row[i * n..(i + 1) * n]).cloned().collect();
         let across = solved_by_gram(&self.0, (0..m).map(strip))?;
         // Strip i has entry (k, j) of row k at k n + j.
@@ -81,6 +83,14 @@ impl<T: Scalar> CoeffSpace<T> for SpacePair<T> {
                 .collect()
         };
         Ok((0..rows.len()).map(row).collect())
+    }
+}
+
+/// Refuses rows of another length.
+fn check_rows<T>(rows: &[Vec<T>], expected: usize) -> Result<()> {
+    match rows.iter().find(|row| row.len() != expected) {
+        Some(row) => Err(Error::CoefficientCount { expected, found: row.len() }),
+        None => Ok(()),
     }
 }
 

@@ -3,7 +3,8 @@
 use crate::coeff::Coeff;
 use crate::error::{Error, Result};
 use crate::fine_tune::turn::Turnable;
-use crate::scalar::Scalar;
+use crate::ops::bound::epsilon;
+use crate::scalar::{Scalar, larger_size};
 use nalgebra::SVector;
 
 /// The control points near the ends of the invariant curve, to which those of a tuned curve are put back.
@@ -76,7 +77,7 @@ where
         let ends = Ends::of(i, [s, e])?;
         let foot = q[s].clone();
         let chord = q[ends.far].minus(&foot);
-        if chord == ends.chord() {
+        if extent([&chord.minus(&ends.chord())]) <= noise(q, i) {
             // Also where the whole line is one point.
             translate(q, &ends.foot().minus(&foot));
         } else {
@@ -94,6 +95,19 @@ where
     }
     restore(q, i, depths);
     Ok(())
+}
+
+/// Up to what a difference of two points of these lines is rounding.
+fn noise<T: Scalar, const N: usize>(q: &[SVector<T, N>], i: &[SVector<T, N>]) -> T {
+    if T::EXACT {
+        return T::zero();
+    }
+    extent(q.iter().chain(i)) * epsilon::<T>() * T::int(8 * q.len() as i64)
+}
+
+/// The largest coordinate.
+fn extent<'a, T: Scalar, const N: usize>(points: impl IntoIterator<Item = &'a SVector<T, N>>) -> T {
+    points.into_iter().flat_map(|point| point.iter()).map(T::magnitude).fold(T::zero(), larger_size)
 }
 
 /// Copies the control points of the invariant line that are held; there are enough of them.

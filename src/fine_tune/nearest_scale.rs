@@ -193,7 +193,11 @@ impl<T: Scalar, S: ScaleSpace<T>> NearestScale<T, S> {
             })?;
         }
         for Implied { row, target, source } in &self.implied {
-            let size = values.iter().map(T::magnitude).fold(target.magnitude(), larger);
+            let size = match row.weights().iter().all(T::is_zero) {
+                // No value has a say, and targets are of the order of one.
+                true => T::one(),
+                false => values.iter().map(T::magnitude).fold(target.magnitude(), larger),
+            };
             if (row.apply(&values) - target).magnitude() > size * T::frac(1, 1 << 32) {
                 return Err(Error::Clash { condition: *source });
             }

@@ -16,6 +16,8 @@ pub(crate) fn room_for<T: Scalar>(
     let (p, (a, b), (start, end)) = (portion.degree(), portion.domain(), space.domain());
     let raised = clamped_beside(space.elevated(p - space.degree())?, (a, b))?;
     let (present, ring) = (raised.breaks(), raised.is_periodic());
+    // A portion from the seam of a ring to the seam has both its ends there.
+    let orders = if ring && a == start && b == end { [orders[0].min(orders[1]); 2] } else { orders };
     let mut added = Vec::new();
     for (t, count) in portion.breaks() {
         let held = if t == *a { Some(orders[0]) } else { (t == *b).then_some(orders[1]) };

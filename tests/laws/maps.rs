@@ -4,7 +4,7 @@ use crate::strategies::{cases, number};
 use nalgebra::{DMatrix, DVector};
 use proptest::collection::vec;
 use proptest::prelude::*;
-use symspline::{BilinearMap, BilinearRow, Functional, LinearMap, Q, Scalar};
+use symspline::{BilinearMap, BilinearRow, Error, Functional, LinearMap, Q, Scalar};
 
 /// A map from `source` to `target` numbers; rows may be empty, or longer than the source and wrap more than once.
 fn map(source: usize, target: usize) -> impl Strategy<Value = LinearMap<Q>> {
@@ -148,4 +148,20 @@ proptest! {
         let right = combination(&b.apply(&x, &y)?, &s, &b.apply(&x, &w)?);
         prop_assert_eq!(b.apply(&x, &combination(&y, &s, &w))?, right);
     }
+
+    #[test]
+    fn maps_of_two_directions_are_kronecker_products(
+        a in (1_usize..5, 1_usize..5).prop_flat_map(|(n, m)| map(n, m)),
+        b in (1_usize..5, 1_usize..5).prop_flat_map(|(n, m)| map(n, m)),
+    ) {
+        prop_assert_eq!(a.tensor(&b)?.to_matrix()?, a.to_matrix()?.kronecker(&b.to_matrix()?));
+    }
+}
+
+#[test]
+fn large_maps_of_two_directions_are_refused() {
+    let long = LinearMap::<f64>::identity(1 << 20);
+    assert!(matches!(long.tensor(&long), Err(Error::TooLarge { .. })));
+    let wide = LinearMap::from_rows(usize::MAX, [Functional::new(usize::MAX - 1, [1.0])]).expect("a row");
+    assert!(matches!(wide.tensor(&wide), Err(Error::TooLarge { .. })));
 }

@@ -257,3 +257,53 @@ fn floats_find_the_freedom_that_fractions_have() {
         }
     }
 }
+
+#[test]
+fn floats_tell_rounding_from_contradictions() -> Result<()> {
+    let line = SplineSpace::bezier(2, 0.0, 1.0)?;
+    let scales = SplineSpace::uniform(2, 3, 0.0, 1.0)?;
+    let wanted = TensorSpline::constant(scales.clone(), scales.clone(), 2.0)?;
+    for size in [1e-300, 1e-12, 1.0, 1e150] {
+        let points = (0..9)
+            .map(|i| SVector::<f64, 2>::new(f64::from(i / 3 + i % 2) / 7.0, f64::from(i % 3) / 3.0) * size);
+        let s = Surface::new(line.clone(), line.clone(), points.collect())?;
+        let all = Edge::ALL.map(|edge| SurfaceCondition::Edge { edge, order: 0 });
+        for path in PATHS {
+            let with = |at: (f64, f64), by: f64| {
+                let value = s.at(&at.0, &at.1)? + SVector::repeat(by * size);
+                let conditions =
+                    [&all[..], &[SurfaceCondition::Derivative { at, order: (0, 0), value }]].concat();
+                NearestScale::on_surface(&s, (&scales, &scales), path, &conditions, Norm::L2)?
+                    .to_signed(&wanted)
+            };
+            // Near the corner nothing depends on the scale, and on an edge the edge tells.
+            for at in
+                [(0.0, 0.0), (1e-13, 1e-14), (1e-9, 1e-9), (1e-7, 0.0), (1.0, 1e-8), (0.0, 0.3), (1.0, 1.0)]
+            {
+                assert!(with(at, 0.0).is_ok(), "{size} {path:?} {at:?}: {:?}", with(at, 0.0));
+                assert!(
+                    matches!(with(at, 1e-6), Err(Error::Clash { condition: 4 })),
+                    "{size} {path:?} {at:?}"
+                );
+            }
+        }
+    }
+    Ok(())
+}
+
+#[test]
+fn derivatives_over_long_domains_are_met() -> Result<()> {
+    // Weights of the order of 1e-20 are no rounding here.
+    let [shape, scales] = [1, 3].map(|spans| SplineSpace::uniform(2, spans, 0.0, 1e5));
+    let (shape, scales) = (shape?, scales?);
+    let points = (0..9).map(|i| SVector::<f64, 2>::new(f64::from(i * i % 5), f64::from(7 * i % 4)));
+    let s = Surface::new(shape.clone(), shape, points.collect())?;
+    let at = (3e4, 7e4);
+    let value = SVector::<f64, 2>::new(1e-20, -2e-20);
+    let condition = SurfaceCondition::Derivative { at, order: (2, 2), value };
+    let nearest = NearestScale::on_surface(&s, (&scales, &scales), Path::Both, &[condition], Norm::L2)?;
+    let wanted = TensorSpline::constant(scales.clone(), scales, 1.0)?;
+    let tuned = s.fine_tuned(Scale::Signed(&nearest.to_signed(&wanted)?), Path::Both)?;
+    assert!((tuned.derivative_at(&at.0, &at.1, 2, 2)? - value).norm() < 1e-30);
+    Ok(())
+}

@@ -6,7 +6,8 @@ use proptest::collection::vec;
 use proptest::prelude::*;
 use symspline::Direction::{self, U, V};
 use symspline::{
-    Approximation, Edge, Error, Path, Q, Result, Scalar, Scale, Surface, SurfaceTuner, TensorSpline,
+    Approximation, Edge, Error, Path, Q, Result, Scalar, Scale, SplineSpace, Surface, SurfaceTuner,
+    TensorSpline,
 };
 
 const SHAPE: Kind = ANY.of_degree(1, 3).smooth(1).few(2);
@@ -199,4 +200,28 @@ fn a_tube_from_its_edge_stays_a_tube() {
     let edge = if s.v().is_periodic() { return } else { Edge::VStart };
     let tuned = s.fine_tuned_from(Scale::Signed(&alpha), edge).expect("no jumps");
     assert!(tuned.u().is_periodic());
+}
+
+#[test]
+fn the_gap_of_floats_counts_rounding_before_the_domain() -> Result<()> {
+    // The corner is a mean of control points far outside, none of which the speed inside tells of.
+    let space = |end: f64| SplineSpace::new(3, [-3.0, -2.0, -1.0, 0.0, end, end + 1.0, end + 2.0, end + 3.0]);
+    let points = (0..16).map(|i: i32| {
+        if i == 0 {
+            SVector::zeros()
+        } else {
+            SVector::<f64, 2>::new(f64::from(7 * i % 11) / 3.0, f64::from(i * i % 7) / 7.0)
+        }
+    });
+    for end in [1e-3, 1e-6] {
+        let s = Surface::new(space(end)?, space(end)?, points.clone().collect())?;
+        let flat = SplineSpace::bezier(1, 0.0, end)?;
+        let alpha = TensorSpline::new(flat.clone(), flat, [1.0, -1.0, 2.0, 3.0].map(|a| a * 1e-9).to_vec())?;
+        let gap = s.path_gap(&alpha)?;
+        let exact = s.to_exact()?.path_gap(&alpha.to_exact()?)?.difference;
+        let off = exact.difference(&gap.difference.to_exact()?)?.to_f64()?;
+        let most = |s: &Surface<f64, 2>| s.coeffs().iter().map(|c| c.norm()).fold(0.0, f64::max);
+        assert!(most(&off) > 0.0 && most(&off) <= gap.bound - most(&gap.difference), "{end}");
+    }
+    Ok(())
 }

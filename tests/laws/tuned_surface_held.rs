@@ -262,3 +262,60 @@ fn times(z: &SVector<Q, 2>, v: &SVector<Q, 2>) -> SVector<Q, 2> {
     let product = |a: &Q, b: &Q| a.clone() * b;
     vector![product(&z[0], &v[0]) - product(&z[1], &v[1]), product(&z[0], &v[1]) + product(&z[1], &v[0])]
 }
+
+#[test]
+fn a_rectangle_from_seam_to_seam_has_two_fits() -> Result<()> {
+    let ring = SplineSpace::uniform_periodic(3, 5, Q::int(0), Q::int(1))?;
+    let line = SplineSpace::bezier(2, Q::int(0), Q::int(1))?;
+    let points = (0..15).map(|i: i64| vector![Q::int(7 * i % 11), Q::int(i * i % 13)]).collect();
+    let tube = Surface::<Q, 2>::new(ring, line.clone(), points)?;
+    let u = SplineSpace::uniform(1, 5, Q::int(0), Q::int(1))?;
+    let values = (0..18).map(|i| Q::frac(5 * i % 7 + 1, 3)).collect();
+    let alpha = TensorSpline::new(u, line, values)?;
+    for (start, end) in
+        [(Fit::Curvature, Fit::Position), (Fit::Position, Fit::Tangent), (Fit::Tangent, Fit::Tangent)]
+    {
+        let edges = Edges::default().with(Edge::UStart, start).with(Edge::UEnd, end);
+        let local = tube.fine_tuned_on(&alpha, Path::VThenU, edges)?;
+        let whole = local.joined()?;
+        for x in probes(whole.u()) {
+            for y in probes(whole.v()) {
+                assert_eq!(whole.at(&x, &y)?, local.tuned().surface.at(&x, &y)?, "{start:?} {end:?}");
+            }
+        }
+        // No more copies at the seam than the fits need.
+        let order = start.order().min(end.order()).unwrap_or_default();
+        assert_eq!(whole.u().breaks()[0].1, whole.u().degree() - order);
+    }
+    Ok(())
+}
+
+#[test]
+fn floats_hold_poles() -> Result<()> {
+    // Coordinates that rounding moves, an edge of one point, knots inside: its lines are points up to rounding.
+    let spaces = [SplineSpace::uniform(3, 4, 0.0, 1.0)?, SplineSpace::uniform(2, 3, 0.0, 1.0)?];
+    let pole = vector![0.1, 0.7, 0.3];
+    let [u, v] = spaces.each_ref().map(SplineSpace::dim);
+    let height = |i: usize, j: usize| ((7 * i + 11 * j + i * j) % 13) as f64 / 13.0;
+    let points = (0..u * v).map(|k| (k / v, k % v));
+    let points =
+        points.map(|(i, j)| if i == 0 { pole } else { vector![i as f64, j as f64 * 0.3, height(i, j)] });
+    let cap = Surface::<f64, 3>::new(spaces[0].clone(), spaces[1].clone(), points.collect())?;
+    let scales = (SplineSpace::uniform(2, 3, 0.0, 1.0)?, SplineSpace::uniform(2, 4, 0.0, 1.0)?);
+    let values = (0..30).map(|i| 0.3 + f64::from(7 * i % 11) / 10.0).collect();
+    let alpha = TensorSpline::new(scales.0.clone(), scales.1.clone(), values)?;
+    for cap in [cap.clone(), cap.reversed(U)?, cap.transposed()] {
+        for path in PATHS {
+            for fit in [Fit::Position, Fit::Tangent] {
+                let edges = Edges::all(fit);
+                let held = cap.fine_tuned_holding(&alpha, path, edges)?.surface;
+                let tuned = SurfaceTuner::prepare(&cap, (&scales.0, &scales.1), path, edges)?
+                    .tuned(alpha.coeffs())?;
+                for (p, q) in held.coeffs().iter().zip(tuned.coeffs()) {
+                    assert!((p - q).amax() < 1e-13, "{path:?} {fit:?}");
+                }
+            }
+        }
+    }
+    Ok(())
+}

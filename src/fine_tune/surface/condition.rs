@@ -119,6 +119,7 @@ impl<T: Scalar> NearestScale<T, SpacePair<T>> {
             ways: &ways,
             scales,
             images: Vec::new(),
+            extents: [T::zero(), T::zero()],
             rows: Vec::new(),
             targets: Vec::new(),
             sources: Vec::new(),
@@ -127,7 +128,7 @@ impl<T: Scalar> NearestScale<T, SpacePair<T>> {
             let before = rows.rows.len();
             rows.add(surface, condition)?;
             if !matches!(condition, SurfaceCondition::Scale { .. } | SurfaceCondition::Coefficient { .. }) {
-                rows.settle(before, matches!(condition, SurfaceCondition::Edge { .. }));
+                rows.settle(surface, before, condition);
             }
             rows.sources.resize(rows.rows.len(), source);
         }
@@ -145,6 +146,8 @@ struct Rows<'a, T: Scalar, const N: usize> {
     scales: (&'a SplineSpace<T>, &'a SplineSpace<T>),
     /// The origin of the tuned surfaces and the `G_j`, made when first needed.
     images: Vec<Surface<T, N>>,
+    /// The largest coordinates of the first and of the others.
+    extents: [T; 2],
     rows: Vec<Functional<T>>,
     targets: Vec<T>,
     sources: Vec<usize>,
@@ -229,6 +232,10 @@ impl<T: Scalar, const N: usize> Rows<'_, T, N> {
             images.push(tuned(&alpha)?.difference(&origin)?);
             alpha[j] = T::zero();
         }
+        let extent = |s: &Surface<T, N>| {
+            s.coeffs().iter().flat_map(|c| c.iter()).map(T::magnitude).fold(T::zero(), larger)
+        };
+        self.extents = [extent(&origin), images.iter().map(extent).fold(T::zero(), larger)];
         images.insert(0, origin);
         self.images = images;
         Ok(())
@@ -247,27 +254,36 @@ impl<T: Scalar, const N: usize> Rows<'_, T, N> {
         }
     }
 
-    /// In floating point brings the rows of one condition on the shape, those from index `from` on, to weights of at most one, and drops
-    /// weights that are rounding; where a scale of one meets the condition, it still does.
-    fn settle(&mut self, from: usize, one: bool) {
+    /// In floating point brings the rows of one condition on the shape, those from index `from` on, to the size of the images, with
+    /// weights of at most one, and drops weights that are rounding; where a scale of one keeps an edge, it still does.
+    fn settle(&mut self, surface: &Surface<T, N>, from: usize, condition: &SurfaceCondition<T, N>) {
         if T::EXACT {
             return;
         }
+        // What a derivative of a surface of size one over this domain may be.
+        let mut unit = T::one();
+        if let SurfaceCondition::Derivative { order, .. } = condition {
+            for (direction, order) in [(U, order.0), (V, order.1)] {
+                let (a, b) = surface.space(direction).domain();
+                (0..order).for_each(|_| unit /= b.clone() - a);
+            }
+        }
+        let [origin, image] = self.extents.each_ref().map(|extent| extent.clone() * &unit);
+        let all = larger(origin, image.clone());
+        // Rounding of what the images are made of does not make a row.
+        let noise = all.clone() * epsilon::<T>() * T::int(64);
         let rows = &mut self.rows[from..];
         let weights = rows.iter().flat_map(|row| row.weights());
-        let mut largest = weights.map(T::magnitude).fold(T::zero(), larger);
-        // Rounding of what the images are made of does not make a row.
-        let image = self.images.iter().flat_map(|s| s.coeffs()).flat_map(|c| c.iter());
-        let noise = image.map(T::magnitude).fold(T::zero(), larger) * epsilon::<T>() * T::int(64);
-        if largest <= noise {
-            largest = T::one();
+        let mut size = weights.map(T::magnitude).fold(image, larger);
+        if size <= noise {
+            size = if all.is_zero() { T::one() } else { all };
         }
         for (row, target) in rows.iter_mut().zip(&mut self.targets[from..]) {
-            let kept = |w: &T| if w.magnitude() <= noise { T::zero() } else { w.clone() / &largest };
+            let kept = |w: &T| if w.magnitude() <= noise { T::zero() } else { w.clone() / &size };
             *row = Functional::new(row.first(), row.weights().iter().map(kept).collect::<Vec<_>>());
-            *target = match one {
-                true => row.weights().iter().fold(T::zero(), |sum, w| sum + w),
-                false => target.clone() / &largest,
+            *target = match condition {
+                SurfaceCondition::Edge { .. } => row.weights().iter().fold(T::zero(), |sum, w| sum + w),
+                _ => target.clone() / &size,
             };
         }
     }

@@ -8,7 +8,7 @@
 
 use crate::error::Result;
 use crate::fine_tune::scale::Scale;
-use crate::ops::bound::{epsilon, finite, largest, size};
+use crate::ops::bound::{epsilon, finite, largest};
 use crate::scalar::Scalar;
 use crate::tensor::along::Direction::{U, V};
 use crate::tensor::spline::{Surface, TensorSpline};
@@ -28,9 +28,10 @@ impl<T: Scalar, const N: usize> Surface<T, N> {
     /// How far apart the surfaces are that scaling by `alpha` makes along either path.
     ///
     /// Over an exact field the bound is that of the control points of the difference; elsewhere rounding is counted: with `n`
-    /// control points along the longer direction, `d` the sum of all degrees and `W` the largest coefficient of `α` times those
-    /// of `S_u` and `S_v` times the lengths of the domain, `8 (d + 2) (n + 10) ε (|S(a, c)| + W)`, since each leg is made in ten
-    /// steps whose weights are convex, and `n` of them are added. Underflow is not accounted for.
+    /// control points along the longer direction, `d` the sum of all degrees, `|S|` the largest control point and `W` the
+    /// largest coefficient of `α` times those of `S_u` and `S_v` times the lengths of the domain,
+    /// `8 (d + 2) (n + 10) ε (|S| + W)`, since each leg is made in ten steps whose weights are convex, and `n` of them are
+    /// added. Underflow is not accounted for.
     ///
     /// # Errors
     /// As [`fine_tuned`](Self::fine_tuned), but for the sign of `alpha`.
@@ -55,7 +56,7 @@ impl<T: Scalar, const N: usize> Surface<T, N> {
         let difference = uv?.difference(&vu?)?;
         let mut bound = largest(difference.coeffs());
         if !T::EXACT {
-            let (mut width, mut degrees) = (size(&self.coeffs()[0]), 0);
+            let (mut width, mut degrees) = (largest(self.coeffs()), 0);
             for direction in [U, V] {
                 let (a, b) = self.space(direction).domain();
                 let speed = largest(self.derivative(direction)?.coeffs()) * largest(alpha.coeffs());

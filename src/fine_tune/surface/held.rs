@@ -15,7 +15,7 @@ use crate::error::{Error, Result};
 use crate::fine_tune::ends::{check_count, hold_line, restore};
 use crate::fine_tune::scale::Scale;
 use crate::fine_tune::turn::Turnable;
-use crate::ops::bound::size;
+use crate::ops::bound::{finite, size};
 use crate::scalar::{Scalar, larger};
 use crate::tensor::along::Direction::{self, U, V};
 use crate::tensor::spline::{Surface, TensorSpline};
@@ -83,7 +83,7 @@ where
         let invariant = self.invariant(&walked)?;
         let surface = restored(&walked, &invariant, edges)?;
         let moved = surface.coeffs().iter().zip(walked.coeffs()).map(|(to, from)| size(&to.minus(from)));
-        Ok(HeldSurface { forced: moved.fold(T::zero(), larger), surface })
+        Ok(HeldSurface { forced: finite(moved.fold(T::zero(), larger))?, surface })
     }
 }
 
