@@ -120,7 +120,8 @@ where
     /// let local = square.fine_tuned_on(&alpha, Path::UThenV, Edges::all(Fit::Tangent))?;
     /// let (whole, half) = (local.joined()?, Q::frac(1, 2));
     /// assert_eq!(whole.at(&half, &half)?, square.at(&half, &half)?);
-    /// assert_ne!(whole.at(&Q::int(2), &half.recip())?, square.at(&Q::int(2), &Q::int(2))?);
+    /// let inside = (Q::int(2), Q::frac(5, 3));
+    /// assert_ne!(whole.at(&inside.0, &inside.1)?, square.at(&inside.0, &inside.1)?);
     /// # Ok::<(), symspline::Error>(())
     /// ```
     #[doc(alias = "local fine tuning")]
