@@ -63,21 +63,26 @@ impl Question for FineTuning {
             group.bench_function(label, |b| b.iter(|| black_box(&surface).fine_tuned(&alpha, path)));
         }
         let boundary = Edges::all(Fit::Position);
-        let label = format!("{size}, two paths, boundary held/{}", numbers.name);
-        group.bench_function(label, |b| {
-            b.iter(|| black_box(&surface).fine_tuned_holding(&alpha, Path::Both, boundary));
-        });
+        // Among small numbers a line of control points may begin and end at one point.
+        let holds = surface.fine_tuned_holding(&alpha, Path::Both, boundary).is_ok();
+        if holds {
+            let label = format!("{size}, two paths, boundary held/{}", numbers.name);
+            group.bench_function(label, |b| {
+                b.iter(|| black_box(&surface).fine_tuned_holding(&alpha, Path::Both, boundary));
+            });
+        }
 
         let label = format!("{size}, prepared/{}", numbers.name);
         group.bench_function(label, |b| {
             b.iter(|| SurfaceTuner::free(black_box(&surface), scales, Path::Both));
         });
         let free = SurfaceTuner::free(&surface, scales, Path::Both)?;
-        let mut tuners = vec![
-            ("one path", SurfaceTuner::free(&surface, scales, Path::UThenV)?),
-            ("two paths", free),
-            ("two paths, boundary held", SurfaceTuner::prepare(&surface, scales, Path::Both, boundary)?),
-        ];
+        let mut tuners =
+            vec![("one path", SurfaceTuner::free(&surface, scales, Path::UThenV)?), ("two paths", free)];
+        if holds {
+            let held = SurfaceTuner::prepare(&surface, scales, Path::Both, boundary)?;
+            tuners.push(("two paths, boundary held", held));
+        }
         if rows * columns <= 72 {
             let kept = [SurfaceCondition::Edge { edge: Edge::VStart, order: 0 }];
             let norm = Norm::Coefficients;
@@ -85,7 +90,7 @@ impl Question for FineTuning {
             tuners.push(("two paths, one edge kept by the scale", under));
         }
         for (name, tuner) in &tuners {
-            let mut points = vec![SVector::zeros(); tuner.u().dim() * tuner.v().dim()];
+            let mut points = tuner.tuned(alpha.coeffs())?.into_coeffs();
             let mut dragged = alpha.coeffs().to_vec();
             let label = format!("{size}, drag, {name}/{}", numbers.name);
             group.bench_function(label, |b| {
