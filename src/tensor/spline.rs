@@ -187,9 +187,7 @@ impl<T: Scalar, C: Coeff<T>> TensorSpline<T, C> {
     /// # Ok::<(), symspline::Error>(())
     /// ```
     pub fn transposed(&self) -> Self {
-        let column = |j: usize| self.coeffs[j..].iter().step_by(self.v.dim()).cloned();
-        let mut coeffs = Vec::with_capacity(self.coeffs.len());
-        (0..self.v.dim()).for_each(|j| coeffs.extend(column(j)));
+        let coeffs = transposed(&self.coeffs, self.v.dim());
         Self { u: self.v.clone(), v: self.u.clone(), coeffs }
     }
 
@@ -248,6 +246,13 @@ impl<T: Scalar, C: Coeff<T>> TensorSpline<T, C> {
         let coeffs = self.coeffs.iter().map(|c| c.try_map(&mut convert)).collect::<Result<_>>()?;
         TensorSpline::new(u, v, coeffs)
     }
+}
+
+/// A grid of `columns` columns, column after column.
+pub(crate) fn transposed<X: Clone>(grid: &[X], columns: usize) -> Vec<X> {
+    let mut turned = Vec::with_capacity(grid.len());
+    (0..columns).for_each(|j| turned.extend(grid[j..].iter().step_by(columns).cloned()));
+    turned
 }
 
 impl<C: Coeff<f64>> TensorSpline<f64, C> {

@@ -113,10 +113,20 @@ impl<T: Scalar> NearestScale<T, SpacePair<T>> {
         conditions: &[SurfaceCondition<T, N>],
         norm: Norm,
     ) -> Result<Self> {
+        Self::on_ways(surface, &Ways::new(surface, scales, path, Edges::default())?, scales, conditions, norm)
+    }
+
+    /// As [`on_surface`](Self::on_surface), the paths prepared.
+    pub(super) fn on_ways<const N: usize>(
+        surface: &Surface<T, N>,
+        ways: &Ways<T, N>,
+        scales: (&SplineSpace<T>, &SplineSpace<T>),
+        conditions: &[SurfaceCondition<T, N>],
+        norm: Norm,
+    ) -> Result<Self> {
         let pair = (scales.0.clone(), scales.1.clone());
-        let ways = Ways::new(surface, scales, path, Edges::default())?;
         let mut rows = Rows {
-            ways: &ways,
+            ways,
             scales,
             images: Vec::new(),
             extents: [T::zero(), T::zero()],

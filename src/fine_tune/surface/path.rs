@@ -146,6 +146,15 @@ impl Path {
         }
     }
 
+    /// The directions in which the paths end, one or two.
+    pub(super) fn lasts(self) -> &'static [Direction] {
+        match self {
+            Self::UThenV => &[V],
+            Self::VThenU => &[U],
+            Self::Both => &[V, U],
+        }
+    }
+
     /// The surface that `one` makes of a path by the direction in which that ends, or the mean of two.
     pub(super) fn walked<T: Scalar, const N: usize>(
         self,

@@ -17,7 +17,7 @@ use crate::map::LinearMap;
 use crate::scalar::Scalar;
 use crate::space::SplineSpace;
 use crate::tensor::along::Direction::{self, U, V};
-use crate::tensor::spline::Surface;
+use crate::tensor::spline::{Surface, transposed};
 use nalgebra::SVector;
 
 /// The table of a surface for one path. All is seen with the direction in which the path ends as the second one.
@@ -52,7 +52,8 @@ struct Leg {
 }
 
 impl<T: Scalar, const N: usize> PathTable<T, N> {
-    /// The table of the path that ends in `last`, for control points over `spaces`, those of the surfaces of this path, along an edge that stays or is tuned.
+    /// The table of the path that ends in `last`, for control points over `spaces`, those of the surfaces of this path, along
+    /// an edge that stays or is tuned.
     ///
     /// # Errors
     /// As [`fine_tuned`](Surface::fine_tuned) has them.
@@ -215,9 +216,4 @@ fn onto<T: Scalar>(
     to: &SplineSpace<T>,
 ) -> Result<BilinearMap<T>> {
     if from == to { Ok(product) } else { product.then(&from.embedding(to)?) }
-}
-
-/// A grid in rows of as many as there are `rows` of the transposed one.
-pub(super) fn transposed<X: Clone>(grid: &[X], rows: usize) -> Vec<X> {
-    (0..rows).flat_map(|j| grid[j..].iter().step_by(rows).cloned()).collect()
 }

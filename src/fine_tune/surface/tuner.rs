@@ -109,8 +109,9 @@ impl<T: Scalar, const N: usize> SurfaceTuner<T, N> {
         conditions: &[SurfaceCondition<T, N>],
         norm: Norm,
     ) -> Result<Self> {
-        let nearest = NearestScale::on_surface(surface, scales, path, conditions, norm)?;
-        Ok(Self { nearest: Some(nearest), ..Self::free(surface, scales, path)? })
+        let free = Self::free(surface, scales, path)?;
+        let nearest = NearestScale::on_ways(surface, &free.ways, scales, conditions, norm)?;
+        Ok(Self { nearest: Some(nearest), ..free })
     }
 
     /// As [`free`](Self::free), with the edges put back as [`fine_tuned_holding`](Surface::fine_tuned_holding) does.

@@ -8,12 +8,12 @@ use crate::map::LinearMap;
 use crate::scalar::Scalar;
 use crate::space::SplineSpace;
 use crate::tensor::along::Direction::{self, U, V};
-use crate::tensor::spline::{Surface, TensorSpline};
+use crate::tensor::spline::{Surface, TensorSpline, transposed};
 use nalgebra::SVector;
 
 use super::edges::Edges;
 use super::path::Path;
-use super::table::{PathTable, transposed};
+use super::table::PathTable;
 
 /// One path, or two.
 #[derive(Clone, Debug)]
@@ -57,11 +57,7 @@ impl<T: Scalar, const N: usize> Ways<T, N> {
                 surface.fine_tuned(Scale::Signed(&one), Path::ending_in(last))
             }
         };
-        let lasts: &[Direction] = match path {
-            Path::UThenV => &[V],
-            Path::VThenU => &[U],
-            Path::Both => &[V, U],
-        };
+        let lasts = path.lasts();
         let shapes: Vec<Surface<T, N>> = lasts.iter().map(|last| shape(*last)).collect::<Result<_>>()?;
         let common = match shapes.as_slice() {
             [uv, vu] => uv.sum(vu)?,

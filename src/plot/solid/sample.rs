@@ -31,33 +31,25 @@ pub trait Meshed: Sized {
     fn tangents(&self, u: f64, v: f64) -> Result<[Point3; 3]>;
 }
 
-impl Meshed for Surface<f64, 3> {
-    fn spaces(&self) -> [&SplineSpace<f64>; 2] {
-        [self.u(), self.v()]
-    }
+macro_rules! meshed {
+    ($($surface:ty),*) => {$(
+        impl Meshed for $surface {
+            fn spaces(&self) -> [&SplineSpace<f64>; 2] {
+                [self.u(), self.v()]
+            }
 
-    fn part(&self, direction: Direction, a: f64, b: f64) -> Result<Self> {
-        self.restricted(direction, &a, &b)
-    }
+            fn part(&self, direction: Direction, a: f64, b: f64) -> Result<Self> {
+                self.restricted(direction, &a, &b)
+            }
 
-    fn tangents(&self, u: f64, v: f64) -> Result<[Point3; 3]> {
-        self.tangents_at(&u, &v)
-    }
+            fn tangents(&self, u: f64, v: f64) -> Result<[Point3; 3]> {
+                self.tangents_at(&u, &v)
+            }
+        }
+    )*};
 }
 
-impl Meshed for NurbsSurface<f64, 3> {
-    fn spaces(&self) -> [&SplineSpace<f64>; 2] {
-        [self.u(), self.v()]
-    }
-
-    fn part(&self, direction: Direction, a: f64, b: f64) -> Result<Self> {
-        self.restricted(direction, &a, &b)
-    }
-
-    fn tangents(&self, u: f64, v: f64) -> Result<[Point3; 3]> {
-        self.tangents_at(&u, &v)
-    }
-}
+meshed!(Surface<f64, 3>, NurbsSurface<f64, 3>);
 
 impl Mesh {
     /// The mesh of a surface, without values: about `u_steps` by `v_steps` quadrangles, all knots among their sides.
