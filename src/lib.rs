@@ -66,6 +66,7 @@ pub mod analysis;
 pub mod constrain;
 pub mod fine_tune;
 pub mod shape;
+pub mod deform;
 #[cfg(feature = "plot")]
 pub mod plot;
 
@@ -97,7 +98,14 @@ pub use constrain::change::LeastChange;
 pub use constrain::least::Excess;
 pub use constrain::norm::{CoeffSpace, Norm, SpacePair};
 pub use constrain::sparse::SparseRow;
+pub use deform::breadth::Breadth;
+pub use deform::elastic::{Elastic, Spread};
+pub use deform::forces::Forces;
+pub use deform::material::Material;
+pub use deform::pull::Pull;
+pub use deform::stiffness::Stiffness;
 pub use dense::solve_dense;
+pub use error::deform::DeformError;
 pub use error::shape::ShapeError;
 pub use error::skin::SkinError;
 pub use error::tune::TuneError;

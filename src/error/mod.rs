@@ -1,9 +1,11 @@
 //! What can go wrong, as one enum with data.
 
+pub mod deform;
 pub mod shape;
 pub mod skin;
 pub mod tune;
 
+use deform::DeformError;
 use shape::ShapeError;
 use skin::SkinError;
 use tune::TuneError;
@@ -353,6 +355,9 @@ pub enum Error {
     /// A shape tool refused.
     #[error(transparent)]
     Shape(#[from] ShapeError),
+    /// A spline was not deformed.
+    #[error(transparent)]
+    Deform(#[from] DeformError),
     /// No skin was laid over sections.
     #[error(transparent)]
     Skin(#[from] SkinError),

@@ -1,0 +1,249 @@
+//! What a deformation costs.
+
+use crate::coeff::Coeff;
+use crate::error::deform::DeformError;
+use crate::error::{Error, Result};
+use crate::gather::Gather;
+use crate::limits::check_degree;
+use crate::map::LinearMap;
+use crate::scalar::Scalar;
+use crate::space::SplineSpace;
+use crate::spline::Spline;
+
+/// An elastic material: what the derivatives of a deformation cost.
+///
+/// ```text
+/// E(f) = Σ_k w_k ∫ |f^(k)|²        w_0 = γ,  w_1 = α,  w_2 = β
+/// ```
+/// `α` resists stretching and `β` bending [Vassilev, (1) and (2)]; `γ` makes the material hard, so that deformations become
+/// narrow [Vassilev, (25)]. Integrals are sums over the spans: where the spline is only continuous a material that resists
+/// nothing but bending is a hinge.
+///
+/// # Examples
+/// ```
+/// use symspline::{Function, Material, Q, Scalar};
+/// let material = Material::new(Q::int(3), Q::int(1))?;
+/// // 3 ∫ (2x)² + ∫ 2² on [0, 1].
+/// assert_eq!(material.energy(&Function::monomial(2, Q::int(0), Q::int(1))?)?, Q::int(8));
+/// # Ok::<(), symspline::Error>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Material<T> {
+    /// By the order of the derivative; the last is not zero.
+    weights: Vec<T>,
+}
+
+impl<T: Scalar> Material<T> {
+    /// The material with resistance `α` to stretching and `β` to bending.
+    ///
+    /// # Errors
+    /// [`DeformError::Material`] for a weight that is negative or not finite.
+    pub fn new(stretching: T, bending: T) -> Result<Self> {
+        Self::of_orders([T::zero(), stretching, bending])
+    }
+
+    /// The material with weights for the derivatives of order 0, 1, 2 and so on.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new); [`Error::DegreeTooHigh`].
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::Material;
+    /// assert_eq!(Material::of_orders([0.0, 1.0, 2.0])?, Material::new(1.0, 2.0)?);
+    /// assert!(Material::new(1.0, -2.0).is_err());
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    pub fn of_orders(weights: impl IntoIterator<Item = T>) -> Result<Self> {
+        let mut kept = Vec::new();
+        for (order, weight) in weights.into_iter().enumerate() {
+            check_degree(order)?;
+            if !(weight >= T::zero() && weight.is_finite()) {
+                return Err(DeformError::Material { order, weight: weight.to_string() }.into());
+            }
+            kept.push(weight);
+        }
+        while kept.last().is_some_and(T::is_zero) {
+            kept.pop();
+        }
+        Ok(Self { weights: kept })
+    }
+
+    /// The same material with the hardness `γ`.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::Material;
+    /// assert_eq!(Material::new(1.0, 2.0)?.with_hardness(0.5)?.weights(), [0.5, 1.0, 2.0]);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    pub fn with_hardness(&self, hardness: T) -> Result<Self> {
+        Self::of_orders(std::iter::once(hardness).chain(self.weights.iter().skip(1).cloned()))
+    }
+
+    /// The weights of the derivatives of order 0, 1, 2 and so on, down to the last that is not zero.
+    pub fn weights(&self) -> &[T] {
+        &self.weights
+    }
+
+    /// The least order of a derivative that has a weight.
+    pub(crate) fn lowest_order(&self) -> Option<usize> {
+        self.weights.iter().position(|w| !w.is_zero())
+    }
+
+    /// The stiffness matrix `K = Σ_k w_k K_k` with `K_k = ∫ N^(k) N^(k)ᵀ`, for which `E(f) = cᵀ K c` [Vassilev, (4) to (7)
+    /// and (24)].
+    ///
+    /// It is what [`SplineSpace::gram`] of derivatives gives, and exists where these jump too.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] if in floating point an entry is beyond the range.
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::{Material, Q, Scalar, SplineSpace};
+    /// let space = SplineSpace::clamped(3, [0, 1, 3, 4].map(Q::int))?;
+    /// let bending = Material::of_orders([0, 0, 1].map(Q::int))?.matrix(&space)?;
+    /// assert_eq!(bending, space.gram(&space, 2, 2)?);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    pub fn matrix(&self, space: &SplineSpace<T>) -> Result<LinearMap<T>> {
+        let n = space.dim();
+        let mut columns: Vec<Vec<(usize, T)>> = vec![Vec::new(); n];
+        let p = space.degree();
+        // The entries of one span, added up before they are spread.
+        let (mut block, mut current) = (vec![T::zero(); (p + 1) * (p + 1)], None);
+        let mut spread = |first: usize, block: &mut Vec<T>| {
+            for (k, entry) in block.iter_mut().enumerate() {
+                let entry = std::mem::replace(entry, T::zero());
+                columns[space.slot(first + k / (p + 1))].push((space.slot(first + k % (p + 1)), entry));
+            }
+        };
+        self.each_square(space, |first, row, weight| {
+            if let Some(before) = current.filter(|before| *before != first) {
+                spread(before, &mut block);
+            }
+            current = Some(first);
+            for (i, x) in row.iter().enumerate() {
+                let scaled = weight.clone() * x;
+                row.iter().zip(&mut block[i * (p + 1)..]).for_each(|(y, entry)| *entry += scaled.clone() * y);
+            }
+        });
+        if let Some(first) = current {
+            spread(first, &mut block);
+        }
+        let mut gather = Gather::new(n);
+        let mut map = LinearMap::empty(n, n);
+        for (index, column) in columns.into_iter().enumerate() {
+            if !column.iter().all(|(_, entry)| entry.is_finite()) {
+                return Err(Error::NotFinite { what: "row of the stiffness matrix", index });
+            }
+            column.into_iter().for_each(|(j, entry)| gather.add(j, entry));
+            map.push_with(|weights| gather.drain_into(weights));
+        }
+        Ok(map)
+    }
+
+    /// The energy `E(f)`: a sum of squares, never negative.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] on overflow.
+    pub fn energy<C: Coeff<T>>(&self, f: &Spline<T, C>) -> Result<T> {
+        let (space, coeffs) = (f.space(), f.coeffs());
+        let mut energy = T::zero();
+        self.each_square(space, |first, row, weight| {
+            let terms = row.iter().enumerate().map(|(i, x)| (x, &coeffs[space.slot(first + i)]));
+            let value = C::combine(terms).expect("a span has coefficients");
+            energy += T::dot(value.components().map(|x| (x, x))) * weight;
+        });
+        if energy.is_finite() { Ok(energy) } else { Err(Error::NotFinite { what: "energy", index: 0 }) }
+    }
+
+    /// The energy as a sum of squares `Σ w (Σ_i a_i c[first + i])²` with `p + 1` weights `a` each and unrolled indices, span
+    /// by span: `f^(k)` on a span in polynomials that are orthogonal there.
+    pub(crate) fn each_square(&self, space: &SplineSpace<T>, mut square: impl FnMut(usize, &[T], &T)) {
+        let (p, t) = (space.degree(), space.knots());
+        let orders = || self.weights.iter().enumerate().take(p + 1).filter(|(_, w)| !w.is_zero());
+        let bases: Vec<Orthogonal<T>> = orders().map(|(k, _)| Orthogonal::new(p - k)).collect();
+        let (mut args, mut free, mut weights) = (Vec::new(), Vec::new(), Vec::new());
+        for k in space.spans() {
+            let (start, end) = (&t[k], &t[k + 1]);
+            let length = end.clone() - start;
+            // Row j has the weights of Bernstein coefficient j.
+            let mut rows = vec![vec![T::zero(); p + 1]; p + 1];
+            for (j, row) in rows.iter_mut().enumerate() {
+                args.clear();
+                args.extend(std::iter::repeat_n(start, p - j).chain(std::iter::repeat_n(end, j)));
+                weights.clear();
+                let first = space.polar_into(k, &args, &mut free, &mut weights);
+                row[first + p - k..].iter_mut().zip(weights.drain(..)).for_each(|(to, w)| *to = w);
+            }
+            let mut order = 0;
+            for ((next, weight), basis) in orders().zip(&bases) {
+                while order < next {
+                    let factor = T::int((p - order) as i64) / &length;
+                    differentiate(&mut rows, &factor);
+                    order += 1;
+                }
+                basis.each(&rows, |row, share| square(k - p, row, &(weight.clone() * &length * share)));
+            }
+        }
+    }
+}
+
+/// Replaces rows by the differences of neighbours times `factor`.
+fn differentiate<T: Scalar>(rows: &mut Vec<Vec<T>>, factor: &T) {
+    for j in 1..rows.len() {
+        let (before, after) = rows.split_at_mut(j);
+        for (x, y) in before[j - 1].iter_mut().zip(&after[0]) {
+            *x = (y.clone() - &*x) * factor;
+        }
+    }
+    rows.pop();
+}
+
+/// The mean of a squared polynomial over a span by its Bernstein coefficients, as a sum of squares: `G = L D Lᵀ` with the Gram
+/// matrix `G` of Bernstein polynomials of degree `q` on `[0, 1]`.
+///
+/// ```text
+/// L_ij = C(q, i) C(i, j) i! (2q - i - j)! / (C(q, j) j! (2q - 2j)!)        D_j = (C(q, j) / C(2q + 1 - j, j))² / (2q - 2j + 1)
+/// ```
+/// `q_j = (L⁻¹ B)_j` is `(1 - t)^(q - j)` times a Jacobi polynomial. No entry is negative, and none is a difference.
+struct Orthogonal<T> {
+    /// Below the diagonal of `L`, column by column.
+    lower: Vec<Vec<T>>,
+    diagonal: Vec<T>,
+}
+
+impl<T: Scalar> Orthogonal<T> {
+    fn new(q: usize) -> Self {
+        let fraction = |a: usize, b: usize| T::frac(a as i64, b as i64);
+        let column = |j: usize| {
+            let ratio = |i: usize| fraction((q - i) * (i + 1), (i + 1 - j) * (2 * q - i - j));
+            let next = |entry: &mut T, i: usize| {
+                *entry *= ratio(i);
+                Some(entry.clone())
+            };
+            (j..q).scan(T::one(), next).collect()
+        };
+        let pivot = |j: usize| {
+            let ratio = (0..j).fold(T::one(), |r, l| r * fraction(q - l, 2 * q + 1 - j - l));
+            ratio.clone() * ratio * fraction(1, 2 * (q - j) + 1)
+        };
+        Self { lower: (0..=q).map(column).collect(), diagonal: (0..=q).map(pivot).collect() }
+    }
+
+    /// Hands out the squares for Bernstein coefficients that are given as rows.
+    fn each(&self, rows: &[Vec<T>], mut square: impl FnMut(&[T], &T)) {
+        for (k, (column, pivot)) in self.lower.iter().zip(&self.diagonal).enumerate() {
+            let mut row = rows[k].clone();
+            for (factor, other) in column.iter().zip(&rows[k + 1..]) {
+                row.iter_mut().zip(other).for_each(|(x, y)| *x += factor.clone() * y);
+            }
+            square(&row, pivot);
+        }
+    }
+}

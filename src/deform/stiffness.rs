@@ -1,0 +1,191 @@
+//! The stiffness of the coefficients of one space that may move.
+
+use crate::coeff::{Coeff, check_shapes};
+use crate::deform::breadth::Breadth;
+use crate::deform::factor::{Factor, Squares};
+use crate::deform::material::Material;
+use crate::error::deform::DeformError;
+use crate::error::{Error, Result};
+use crate::functional::Functional;
+use crate::knots::KnotVector;
+use crate::map::LinearMap;
+use crate::scalar::Scalar;
+use crate::space::SplineSpace;
+
+/// The matrix `K_r` of a material on the coefficients of a space that may move, ready to be solved with [Vassilev, (17)].
+///
+/// `K_r` is the part of `K` with rows and columns of these coefficients; the others keep their places. Making it and solving
+/// with it take time linear in their number.
+///
+/// # Examples
+/// A rod that resists stretching, held at both ends and pulled in the middle:
+/// ```
+/// use symspline::{Breadth, Functional, Material, Q, Scalar, SplineSpace, Stiffness};
+/// let space = SplineSpace::clamped(1, [0, 1, 2, 3, 4].map(Q::int))?;
+/// let stiffness = Stiffness::new(&space, &Material::new(Q::int(1), Q::int(0))?, &Breadth::BetweenEnds(1))?;
+/// let pulled = stiffness.response(&space.basis(&Q::int(2))?)?;
+/// assert_eq!(pulled, [Q::int(0), Q::frac(1, 2), Q::int(1), Q::frac(1, 2), Q::int(0)]);
+/// # Ok::<(), symspline::Error>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Stiffness<T> {
+    space: SplineSpace<T>,
+    material: Material<T>,
+    /// Ascending.
+    moving: Vec<usize>,
+    /// The coefficients that may move in the order of the factor.
+    order: Vec<usize>,
+    factor: Factor<T>,
+    /// From coefficients of `space` to the integrals `∫ f S_j` with the hat functions `S_j` of the breaks.
+    hats: LinearMap<T>,
+    /// The space of the hat functions.
+    hat_space: SplineSpace<T>,
+}
+
+impl<T: Scalar> Stiffness<T> {
+    /// The stiffness of `material` on the coefficients of `space` that `breadth` lets move.
+    ///
+    /// # Errors
+    /// [`DeformError::NullSpace`] if some of their motions cost nothing; those of [`Breadth::coeffs`];
+    /// [`Error::NotFinite`] if in floating point the material is beyond the range.
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::{Breadth, DeformError, Error, Material, SplineSpace, Stiffness};
+    /// let space = SplineSpace::uniform(3, 4, 0.0, 1.0)?;
+    /// let bending = Material::new(0.0, 1.0)?;
+    /// let loose = Stiffness::new(&space, &bending, &Breadth::Whole).unwrap_err();
+    /// assert!(matches!(loose, Error::Deform(DeformError::NullSpace { order: Some(2), dimension: 2, .. })));
+    /// assert!(Stiffness::new(&space, &bending, &Breadth::BetweenEnds(1)).is_ok());
+    /// # Ok::<(), Error>(())
+    /// ```
+    pub fn new(space: &SplineSpace<T>, material: &Material<T>, breadth: &Breadth<T>) -> Result<Self> {
+        let moving = breadth.coeffs(space)?;
+        let (order, width) = ordered(space, &moving);
+        let mut rank = vec![None; space.dim()];
+        order.iter().enumerate().for_each(|(rank_of, index)| rank[*index] = Some(rank_of));
+        let mut squares = Squares::default();
+        let mut finite = true;
+        material.each_square(space, |first, row, weight| {
+            finite &= weight.is_finite() && row.iter().all(T::is_finite);
+            let terms = row.iter().enumerate().filter(|(_, x)| !x.is_zero());
+            let terms = terms.filter_map(|(i, x)| Some((rank[space.slot(first + i)]?, x.clone())));
+            squares.push(terms, weight.clone());
+        });
+        if !finite {
+            return Err(Error::NotFinite { what: "stiffness", index: 0 });
+        }
+        let factor = Factor::new(order.len(), width, &squares).map_err(|loose| DeformError::NullSpace {
+            order: material.lowest_order(),
+            dimension: loose.len(),
+            coefficient: loose.last().map_or(0, |rank| order[*rank]),
+        })?;
+        let hat_space = hat_space(space)?;
+        let hats = hat_space.gram(space, 0, 0)?;
+        Ok(Self { space: space.clone(), material: material.clone(), moving, order, factor, hats, hat_space })
+    }
+
+    /// The space.
+    pub fn space(&self) -> &SplineSpace<T> {
+        &self.space
+    }
+
+    /// The material.
+    pub fn material(&self) -> &Material<T> {
+        &self.material
+    }
+
+    /// The coefficients that may move, in ascending order.
+    pub fn moving(&self) -> &[usize] {
+        &self.moving
+    }
+
+    /// The forcing matrix `C`, transposed: row `j` has the integrals `∫ N_i S_j` with the function `S_j` that is one at break
+    /// `j`, zero at the others, and linear in between [Vassilev, (8) to (12)].
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::{Breadth, Material, Q, Scalar, SplineSpace, Stiffness};
+    /// let segment = SplineSpace::new(3, (0..8).map(Q::int))?;
+    /// let material = Material::new(Q::int(1), Q::int(1))?.with_hardness(Q::int(1))?;
+    /// let forcing = Stiffness::new(&segment, &material, &Breadth::Whole)?.forcing().clone();
+    /// assert_eq!(forcing.row(0), (0, &[4, 33, 22, 1].map(|k| Q::frac(k, 120))[..]));
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    pub fn forcing(&self) -> &LinearMap<T> {
+        &self.hats
+    }
+
+    /// The load of a unit force at `x`: shared by the breaks on both sides of it [Vassilev, (16) and (17)].
+    ///
+    /// # Errors
+    /// [`Error::OutsideDomain`].
+    pub fn hat_load(&self, x: &T) -> Result<Functional<T>> {
+        Ok(self.hats.pull_back(&self.hat_space.basis(x)?))
+    }
+
+    /// How the coefficients answer a load: `V_c` with `K_r V_c = load`, zero where they are held [Vassilev, (17) and (18)].
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] on overflow.
+    pub fn response(&self, load: &Functional<T>) -> Result<Vec<T>> {
+        self.solved(&load.to_dense(self.space.dim()))
+    }
+
+    /// The displacements `D` with `K_r D = load`, zero where coefficients are held [Vassilev, (15)].
+    ///
+    /// # Errors
+    /// [`Error::CoefficientCount`] unless there is a load for each coefficient; [`Error::Ragged`]; [`Error::NotFinite`] on
+    /// overflow.
+    pub fn solved<C: Coeff<T>>(&self, load: &[C]) -> Result<Vec<C>> {
+        self.solved_by_columns(load, 1)
+    }
+
+    /// As [`solved`](Self::solved) for several columns, load `i` of column `j` at `i * columns + j`.
+    pub(crate) fn solved_by_columns<C: Coeff<T>>(&self, load: &[C], columns: usize) -> Result<Vec<C>> {
+        let expected = self.space.dim() * columns;
+        if load.len() != expected {
+            return Err(Error::CoefficientCount { expected, found: load.len() });
+        }
+        check_shapes(load)?;
+        let row = |i: &usize| &load[i * columns..(i + 1) * columns];
+        let mut values: Vec<C> = self.order.iter().flat_map(row).cloned().collect();
+        self.factor.solve(&mut values, columns);
+        if let Some(index) = values.iter().position(|value| !value.all_finite()) {
+            return Err(Error::NotFinite { what: "displacement", index });
+        }
+        let mut solved: Vec<C> = load.iter().map(C::zero_like).collect();
+        for (i, row) in self.order.iter().zip(values.chunks_exact(columns)) {
+            solved[i * columns..(i + 1) * columns].clone_from_slice(row);
+        }
+        Ok(solved)
+    }
+}
+
+/// The coefficients that may move in an order in which neighbours are near, and how far a basis function of a span reaches.
+///
+/// Along a chain that is the order of indices. On a ring that nothing cuts open places are taken from both sides, `0, m - 1, 1,
+/// m - 2, ...`, so that the band has no corners.
+fn ordered<T: Scalar>(space: &SplineSpace<T>, moving: &[usize]) -> (Vec<usize>, usize) {
+    let (p, n, m) = (space.degree(), space.dim(), moving.len());
+    if !space.is_periodic() {
+        return (moving.to_vec(), p + 1);
+    }
+    // A chain starts after `p` held ones in a row.
+    let gap = |k: usize| (moving[k] + n - moving[(k + m - 1) % m] - 1) % n;
+    let start = if m == 1 { Some(0) } else { (0..m).find(|k| gap(*k) >= p.max(1)) };
+    match start {
+        Some(start) => ((0..m).map(|k| moving[(start + k) % m]).collect(), p + 1),
+        None => ((0..m).map(|k| moving[if k % 2 == 0 { k / 2 } else { m - 1 - k / 2 }]).collect(), 2 * p + 1),
+    }
+}
+
+/// The continuous functions that are linear between breaks.
+fn hat_space<T: Scalar>(space: &SplineSpace<T>) -> Result<SplineSpace<T>> {
+    let mut breaks: Vec<T> = space.breaks().into_iter().map(|(knot, _)| knot).collect();
+    if !space.is_periodic() {
+        return SplineSpace::clamped(1, breaks);
+    }
+    breaks.pop();
+    SplineSpace::joined(1, &KnotVector::new(breaks)?, space.domain().1.clone())
+}

@@ -1,0 +1,56 @@
+//! Why a spline was not deformed.
+
+/// Why a spline was not deformed.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum DeformError {
+    /// A material has a weight that is negative or not finite.
+    #[error("the weight {weight} of derivative {order} is not a finite number from zero on")]
+    Material {
+        /// The order of the derivative that it weighs.
+        order: usize,
+        /// The weight.
+        weight: String,
+    },
+    /// Some motions cost no energy: the material has a null space on the coefficients that may move.
+    #[error("{dimension} independent motions cost no energy: {}", null_space(*order))]
+    NullSpace {
+        /// The least order of a derivative that the material weighs; none if it weighs none.
+        order: Option<usize>,
+        /// The dimension of the null space on the coefficients that may move.
+        dimension: usize,
+        /// One of these coefficients that nothing holds.
+        coefficient: usize,
+    },
+    /// No coefficient may move.
+    #[error("no control point may move")]
+    NothingMoves,
+    /// The ends of a ring cannot be held.
+    #[error("a periodic space has no ends to hold")]
+    NoEnds,
+    /// A force does not move the point it should move.
+    #[error(
+        "the force at {place} does not move the shape there: the control points that may move have no hold on it"
+    )]
+    NoHold {
+        /// Where the force acts.
+        place: String,
+    },
+    /// The shape is not over the spaces of the material.
+    #[error("the shape is over another space along {direction}")]
+    OtherSpace {
+        /// Along which parameter.
+        direction: String,
+    },
+}
+
+fn null_space(order: Option<usize>) -> String {
+    match order {
+        None => "the material resists nothing".into(),
+        Some(1) => "the material lets constant functions pass, that is translations; hold a control point of each part, or give hardness".into(),
+        Some(2) => "the material lets linear functions pass, with breaks where the spline is only continuous; hold two control points of each part, or give hardness".into(),
+        Some(order) => format!(
+            "the material lets polynomials below degree {order} pass on each smooth part; hold as many control points, or give hardness"
+        ),
+    }
+}
