@@ -98,6 +98,7 @@ pub use constrain::change::LeastChange;
 pub use constrain::least::Excess;
 pub use constrain::norm::{CoeffSpace, Norm, SpacePair};
 pub use constrain::sparse::SparseRow;
+pub use deform::anchors::Anchored;
 pub use deform::breadth::Breadth;
 pub use deform::elastic::{Elastic, Spread};
 pub use deform::forces::Forces;

@@ -189,7 +189,7 @@ fn refusal(condition: usize, on: Vec<usize>, conditions: usize, free: usize) -> 
 }
 
 /// Which rows a row with these shares of orthogonal ones is a combination of; all rows before were independent.
-fn dependencies<T: Scalar>(own: &[T], shares: &[Vec<T>]) -> Vec<usize> {
+pub(crate) fn dependencies<T: Scalar>(own: &[T], shares: &[Vec<T>]) -> Vec<usize> {
     let mut left = own.to_vec();
     let size = left.iter().map(T::magnitude).fold(T::zero(), larger);
     let noise = if T::EXACT { T::zero() } else { size * T::frac(1, 1 << 24) };

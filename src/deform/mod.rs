@@ -11,3 +11,4 @@ pub mod stiffness;
 pub mod elastic;
 pub mod pull;
 pub mod forces;
+pub mod anchors;

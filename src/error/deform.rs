@@ -36,6 +36,12 @@ pub enum DeformError {
         /// Where the force acts.
         place: String,
     },
+    /// Constraints ask for what an elastic body does not know.
+    #[error("{what} have no meaning for an elastic body: its breadth says what may move, its energy how")]
+    Meaningless {
+        /// What they ask for.
+        what: &'static str,
+    },
     /// The shape is not over the spaces of the material.
     #[error("the shape is over another space along {direction}")]
     OtherSpace {

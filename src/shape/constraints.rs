@@ -52,6 +52,18 @@ pub(crate) struct Wanted<T: Scalar, S: Controlled<T>> {
     pub derivative: Option<(S::Parameter, S::Order)>,
 }
 
+impl<T: Scalar, S: Controlled<T>> Wanted<T, S> {
+    /// By how much a shape is off `target`.
+    pub(crate) fn gap(&self, shape: &S, target: &S::Point) -> Result<S::Point> {
+        if let Some((at, order)) = &self.derivative {
+            return Ok(target.minus(&shape.derivative_of(at, *order)?));
+        }
+        self.row.terms().iter().try_fold(target.clone(), |gap, (i, w)| {
+            Ok(gap.plus_scaled(&-w.clone(), &shape.control_point(*i)?))
+        })
+    }
+}
+
 impl<'a, T: Scalar, S: Controlled<T>> Constraints<'a, T, S> {
     /// No constraints yet on `shape`.
     pub fn on(shape: &'a S) -> Self {
@@ -221,14 +233,7 @@ impl<T: Scalar, S: Controlled<T>> Constrained<T, S> {
             return Err(Error::CoefficientCount { expected: self.wanted.len(), found: targets.len() });
         }
         self.drag.check(shape)?;
-        let gap = |(wanted, target): (&Wanted<T, S>, &S::Point)| {
-            if let Some((at, order)) = &wanted.derivative {
-                return Ok(target.minus(&shape.derivative_of(at, *order)?));
-            }
-            wanted.row.terms().iter().try_fold(target.clone(), |gap, (i, w)| {
-                Ok(gap.plus_scaled(&-w.clone(), &shape.control_point(*i)?))
-            })
-        };
+        let gap = |(wanted, target): (&Wanted<T, S>, &S::Point)| wanted.gap(shape, target);
         let changes = self.wanted.iter().zip(targets).map(gap).collect::<Result<Vec<_>>>()?;
         self.drag(shape, &changes)
     }

@@ -12,6 +12,7 @@ pub mod grip;
 pub mod legs;
 pub mod confine;
 pub mod constraints;
+mod along;
 pub mod relief;
 pub mod coupled;
 pub mod curvature_handle;
