@@ -28,14 +28,10 @@ impl<T: Scalar> Elastic<T> {
         self.check(shape)?;
         let response = self.response(&self.load_at(|direction| S::coordinate(at, direction))?)?;
         let influence = shape.influence(at, S::VALUE)?;
-        // Both are sorted.
-        let mut rest = response.iter();
-        let met = influence
-            .terms()
-            .iter()
-            .filter_map(|(i, b)| rest.find(|(j, _)| j >= i).filter(|(j, _)| i == j).map(|(_, v)| (b, v)));
-        let give = T::dot(met.collect::<Vec<_>>().into_iter());
-        if !(give > T::zero()) {
+        let answer = |i: &usize| response.binary_search_by_key(i, |(j, _)| *j).ok().map(|k| &response[k].1);
+        let met = influence.terms().iter().filter_map(|(i, b)| Some((b, answer(i)?)));
+        let give = met.fold(T::zero(), |sum, (b, v)| sum + b.clone() * v);
+        if give.is_zero() || !give.is_finite() {
             return Err(DeformError::NoHold { place: format!("{at:?}") }.into());
         }
         let (indices, matrix) = response.into_iter().unzip();

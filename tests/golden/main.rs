@@ -22,9 +22,10 @@ mod shape_constraints;
 mod shape_weights;
 mod shape_warps;
 mod shape_bends;
+mod deform;
 
 /// The categories tested here, with their numbers of cases.
-const TESTED: [(&str, usize); 53] = [
+const TESTED: [(&str, usize); 58] = [
     ("basis", 22),
     ("curve_ders", 3),
     ("hodograph", 3),
@@ -78,6 +79,11 @@ const TESTED: [(&str, usize); 53] = [
     ("bend_rest", 2),
     ("bend_rest3", 1),
     ("bend_cylinder", 3),
+    ("vassilev_matrices", 4),
+    ("vassilev_segment", 1),
+    ("vassilev_move", 3),
+    ("vassilev_forces", 1),
+    ("vassilev_surface_move", 2),
 ];
 
 /// The file holds what its header promises, and nothing that is not tested.
@@ -93,5 +99,5 @@ fn every_case_is_counted() {
     assert_eq!(ids.len(), tested.iter().map(|(_, count)| count).sum::<usize>());
     ids.sort_unstable();
     ids.dedup();
-    assert_eq!(ids.len(), 264, "distinct cases");
+    assert_eq!(ids.len(), 275, "distinct cases");
 }
