@@ -19,7 +19,7 @@ pub enum Spread {
     #[default]
     Hat,
     /// By the basis functions at the point: the work of the force is force times movement, so the deformation is the one of
-    /// least energy among those that move the point as far.
+    /// least energy among those that move the point as far. Of rational shapes the polynomial basis functions are taken.
     Point,
 }
 

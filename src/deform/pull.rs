@@ -21,8 +21,7 @@ impl<T: Scalar> Elastic<T> {
     /// A force on `shape` at `at`, prepared.
     ///
     /// # Errors
-    /// [`DeformError::NoHold`] if a force there does not move the point in its own direction, for want of control points that
-    /// may move; [`DeformError::OtherSpace`];
+    /// [`DeformError::NoHold`] if a force there does not move the point, for want of control points that may move; [`DeformError::OtherSpace`];
     /// [`Error::OutsideDomain`](crate::Error::OutsideDomain), [`Error::NotFinite`](crate::Error::NotFinite) on overflow.
     pub fn pull<S: Controlled<T>>(&self, shape: &S, at: &S::Parameter) -> Result<Pull<T, S>> {
         self.check(shape)?;
@@ -45,7 +44,8 @@ impl<T: Scalar, S: Controlled<T>> Pull<T, S> {
         &self.at
     }
 
-    /// How far the point there moves under a unit force: `B · V_c`.
+    /// How far the point there moves under a unit force: `B · V_c`. With [`Spread::Point`](crate::Spread::Point) it is positive, for polynomial shapes; hat
+    /// functions reach farther than the point, and in odd windows what is loaded there may answer the other way.
     pub fn give(&self) -> &T {
         &self.give
     }

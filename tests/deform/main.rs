@@ -1,0 +1,13 @@
+//! Laws of deformable splines: what defines each operator, over `Q` with `==`, on curves and surfaces.
+
+#[path = "../laws/strategies.rs"]
+#[allow(dead_code, reason = "the other laws use the rest")]
+mod strategies;
+#[path = "../laws/rational_strategies.rs"]
+#[allow(dead_code, reason = "the other laws use the rest")]
+mod rational_strategies;
+mod anchors;
+mod body;
+mod hostile;
+mod pulls;
+mod stiffness;
