@@ -315,7 +315,8 @@ impl<T: Scalar> Compliance<T> {
             }
             let shares: Vec<T> = row.iter().zip(&pivots).map(|(x, pivot)| x.clone() / pivot).collect();
             let pivot = own.clone() - T::dot(row.iter().zip(&shares));
-            if !(pivot > own * &least) {
+            let independent = pivot > own * &least;
+            if !independent {
                 return Err(ShapeError::Dependent { condition, on: dependencies(&shares, &lower) }.into());
             }
             lower.push(shares);
