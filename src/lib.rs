@@ -1,4 +1,5 @@
-//! Exact algebra of spline curves and surfaces, polynomial and rational, fine tuning of both, and shape tools.
+//! Exact algebra of spline curves and surfaces, polynomial and rational, fine tuning of both, shape tools, and
+//! deformable splines.
 //!
 //! A [`SplineSpace`] is a value: a degree, knots, and how the ends meet. A [`Spline`] is a list of coefficients in a
 //! space: numbers ([`Function`]) or points ([`Curve`]). Operators are maps between spaces, kept as rows of weights
@@ -27,6 +28,7 @@
 //! - zeros, curvature profiles, lengths, frames, nearest points, meetings: [`analysis`];
 //! - fine tuning: [`fine_tune`];
 //! - shape tools: control points, weights, warps, bends, constraints: [`shape`];
+//! - deformable splines: materials, forces, constraints at least energy: [`deform`];
 //! - pictures: the module `plot`, behind the feature of that name.
 
 // The modules from the ground up: a module uses only what stands above it (tests/floors.rs).

@@ -3,8 +3,12 @@
 use crate::body::{Body, Wish, moving, wish};
 use crate::rational_strategies::nurbs_surface;
 use crate::strategies::{ANY, Kind, cases, curve, surface};
+use nalgebra::vector;
 use proptest::prelude::*;
-use symspline::{Anchored, Coeff, Constraints, Direction, Elastic, Error, Forces, Q, Scalar, ShapeError};
+use symspline::{
+    Anchored, Coeff, Constraints, Controlled, Curve, Direction, Elastic, Error, Forces, NurbsSurface, Q,
+    Scalar, ShapeError, SplineSpace, Surface,
+};
 
 const SMALL: Kind = ANY.of_degree(0, 3).few(3);
 const FEW: Kind = ANY.of_degree(0, 2).few(2);
@@ -129,10 +133,52 @@ proptest! {
         let Some(elastic) = shape.body(&wish)? else { return Ok(()) };
         let Ok(held) = elastic.anchored(&Constraints::on(&shape).isocurve(direction, &x)?) else { return Ok(()) };
         let count = shape.space(direction.other()).dim();
-        let targets: Vec<_> = (0..count).map(|k| <symspline::Surface<Q, 2> as Body>::vector(&wish.numbers[k % 60..])).collect();
+        let targets: Vec<_> = (0..count).map(|k| <Surface<Q, 2> as Body>::vector(&wish.numbers[k % 60..])).collect();
         let mut met = shape.clone();
         held.meet(&mut met, &targets)?;
         let found = met.isocurve(direction, &x)?;
         prop_assert_eq!(found.coeffs(), &targets[..]);
+    }
+
+    #[test]
+    fn isocurves_of_rational_surfaces_too(shape in nurbs_surface::<2>(FEW), wish in wish(), along_u in any::<bool>()) {
+        let direction = if along_u { Direction::U } else { Direction::V };
+        let x = if along_u { shape.place(&wish.places[0]).0 } else { shape.place(&wish.places[0]).1 };
+        let Some(elastic) = shape.body(&wish)? else { return Ok(()) };
+        let Ok(wanted) = Constraints::on(&shape).isocurve(direction, &x) else { return Ok(()) };
+        let Ok(held) = elastic.anchored(&wanted) else { return Ok(()) };
+        let targets: Vec<_> = (0..held.rows().len()).map(|k| <NurbsSurface<Q, 2> as Body>::vector(&wish.numbers[k % 60..])).collect();
+        let mut met = shape.clone();
+        held.meet(&mut met, &targets)?;
+        let found = met.isocurve(direction, &x)?;
+        for (i, target) in targets.iter().enumerate() {
+            if let Ok(point) = found.control_point(i) {
+                prop_assert_eq!(&point, target);
+            }
+        }
+    }
+
+    #[test]
+    fn embedded_curves_move_onto_curves_in_space(
+        shape in surface::<2>(FEW, FEW), wish in wish(), target in curve::<2>(SMALL), count in 1..=3_usize, closed in any::<bool>(),
+    ) {
+        let Some(elastic) = shape.body(&wish)? else { return Ok(()) };
+        let corners: Vec<_> = wish.places.iter().take(3).map(|at| {
+            let (u, v) = shape.place(at);
+            vector![u, v]
+        }).collect();
+        let space = if closed { SplineSpace::uniform_periodic(1, 3, Q::int(0), Q::int(1))? } else { SplineSpace::bezier(2, Q::int(0), Q::int(1))? };
+        let path = Curve::new(space, corners)?;
+        let held = match elastic.anchored(&Constraints::on(&shape).along(&path, count)?) {
+            Err(Error::Shape(ShapeError::Dependent { .. })) => return Ok(()),
+            other => other?,
+        };
+        let mut met = shape.clone();
+        held.meet_curve(&mut met, &target)?;
+        let both = path.space().even_parameters(count)?.into_iter().zip(target.space().even_parameters(count)?);
+        for (t, s) in both {
+            let at = path.at(&t)?;
+            prop_assert_eq!(met.at(&at[0], &at[1])?, target.at(&s)?);
+        }
     }
 }
