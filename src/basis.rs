@@ -119,7 +119,7 @@ impl<T: Scalar> SplineSpace<T> {
 
     /// The derivative of order `d` at `x` of the polynomial of span `k`: `p! / (p - d)!` times the polar value at
     /// `p - d` arguments `x` and `d` unit directions.
-    fn derivative_on(&self, k: usize, x: &T, d: usize) -> Functional<T> {
+    pub(crate) fn derivative_on(&self, k: usize, x: &T, d: usize) -> Functional<T> {
         let p = self.degree();
         if d > p {
             return Functional::new(k - p, vec![T::zero(); p + 1]);

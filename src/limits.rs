@@ -14,6 +14,9 @@ pub const MAX_ENTRIES: usize = 1 << 28;
 /// The largest number of coefficients that an approximation to a tolerance may grow to.
 pub const MAX_ADAPTED: usize = 1 << 16;
 
+/// The largest number of places at which a function is sampled at once.
+pub const MAX_SAMPLES: usize = 1 << 22;
+
 /// How many coefficients branch and bound may make in halving patches.
 pub(crate) const MAX_HALVED: usize = 1 << 24;
 
@@ -30,6 +33,14 @@ pub(crate) fn check_dim(dim: usize) -> Result<()> {
     match dim {
         0..=MAX_DIM => Ok(()),
         _ => Err(Error::TooLarge { count: dim, limit: MAX_DIM }),
+    }
+}
+
+/// Refuses numbers of samples beyond [`MAX_SAMPLES`].
+pub(crate) fn check_samples(count: usize) -> Result<()> {
+    match count {
+        0..=MAX_SAMPLES => Ok(()),
+        _ => Err(Error::TooLarge { count, limit: MAX_SAMPLES }),
     }
 }
 

@@ -2,6 +2,7 @@
 
 use crate::coeff::Coeff;
 use crate::deform::breadth::Breadth;
+use crate::deform::hats::hat_space;
 use crate::deform::material::Material;
 use crate::deform::stiffness::Stiffness;
 use crate::error::deform::DeformError;
@@ -9,6 +10,7 @@ use crate::error::{Error, Result};
 use crate::functional::Functional;
 use crate::scalar::Scalar;
 use crate::shape::controlled::Controlled;
+use crate::space::SplineSpace;
 use crate::tensor::along::Direction;
 use crate::tensor::spline::transposed;
 
@@ -72,6 +74,11 @@ impl<T: Scalar> Elastic<T> {
         Self { along: vec![u, v], spread: Spread::Hat }
     }
 
+    /// A shape with a stiffness along each direction.
+    pub(crate) fn along(along: Vec<Stiffness<T>>) -> Self {
+        Self { along, spread: Spread::Hat }
+    }
+
     /// The body of a shape, of one material; a breadth for each direction.
     ///
     /// # Errors
@@ -114,22 +121,32 @@ impl<T: Scalar> Elastic<T> {
     /// The load of a unit force at a place with these coordinates.
     pub(crate) fn load_at<'a>(&self, coordinate: impl Fn(Direction) -> &'a T) -> Result<Load<T>> {
         let each = self.along.iter().zip([Direction::U, Direction::V]);
-        let load = |(stiffness, direction): (&Stiffness<T>, Direction)| match self.spread {
-            Spread::Hat => stiffness.hat_load(coordinate(direction)),
-            Spread::Point => stiffness.space().basis(coordinate(direction)),
-        };
-        each.map(load).collect()
+        each.map(|(stiffness, direction)| self.load_along(stiffness, coordinate(direction))).collect()
+    }
+
+    /// What one direction contributes to the load of a unit force.
+    pub(crate) fn load_along(&self, along: &Stiffness<T>, x: &T) -> Result<Functional<T>> {
+        match self.spread {
+            Spread::Hat => along.hat_load(x),
+            Spread::Point => along.space().basis(x),
+        }
+    }
+
+    /// The space whose basis functions share a force at a point along one direction.
+    pub(crate) fn load_space(&self, along: &Stiffness<T>) -> Result<SplineSpace<T>> {
+        match self.spread {
+            Spread::Hat => hat_space(along.space()),
+            Spread::Point => Ok(along.space().clone()),
+        }
     }
 
     /// How the control points that may move answer a load, with their places in the list, in ascending order [Vassilev, (18) and
     /// (31)].
     pub(crate) fn response(&self, load: &[Functional<T>]) -> Result<Vec<(usize, T)>> {
-        let along = |(stiffness, load): (&Stiffness<T>, &Functional<T>)| stiffness.response(load);
+        let along = |(stiffness, load): (&Stiffness<T>, &Functional<T>)| stiffness.answer(load);
         let answers = self.along.iter().zip(load).map(along).collect::<Result<Vec<_>>>()?;
-        let moving = |direction: usize| {
-            let answer = &answers[direction];
-            self.along[direction].moving().iter().map(move |i| (*i, &answer[*i]))
-        };
+        let moving =
+            |direction: usize| self.along[direction].moving().iter().copied().zip(&answers[direction]);
         let [_, v] = &self.along[..] else { return Ok(moving(0).map(|(i, x)| (i, x.clone())).collect()) };
         let columns = v.space().dim();
         let mut response = Vec::with_capacity(moving(0).len() * moving(1).len());
@@ -166,7 +183,7 @@ impl<T: Scalar> Elastic<T> {
             return Err(Error::CoefficientCount { expected: self.along.len(), found: S::DIRECTIONS.len() });
         }
         let other = |(direction, stiffness): &(&Direction, &Stiffness<T>)| {
-            shape.space_along(**direction) != stiffness.space()
+            !stiffness.is_over(shape.space_along(**direction))
         };
         match S::DIRECTIONS.iter().zip(&self.along).find(other) {
             Some((direction, _)) => Err(DeformError::OtherSpace { direction: direction.to_string() }.into()),

@@ -51,6 +51,12 @@ impl<T: Scalar> Factor<T> {
     ///
     /// If there is a null space, the unknowns without a pivot are returned: as many as its dimension.
     pub(crate) fn new(count: usize, width: usize, squares: &Squares<T>) -> Result<Self, Vec<usize>> {
+        let (factor, loose) = Self::with_loose(count, width, squares);
+        if loose.is_empty() { Ok(factor) } else { Err(loose) }
+    }
+
+    /// As [`new`](Self::new), with the factors where unknowns have no pivot too.
+    pub(crate) fn with_loose(count: usize, width: usize, squares: &Squares<T>) -> (Self, Vec<usize>) {
         let width = width.clamp(1, count.max(1));
         let mut factor =
             Self { width, upper: vec![T::zero(); count * (width - 1)], pivots: vec![T::zero(); count] };
@@ -65,17 +71,52 @@ impl<T: Scalar> Factor<T> {
             let mut reach = *first;
             for (i, x) in &squares.terms[start..*end] {
                 row[*i] += x;
+                // In a small ring terms cancel: what is left counts beside them.
+                diagonal[*i] += x.clone() * x * weight;
                 reach = reach.max(i + 1);
             }
-            let entries = row[*first..reach].iter().zip(&mut diagonal[*first..]);
-            entries.for_each(|(x, sum)| *sum += x.clone() * x * weight);
             factor.rotate_in(&mut row, *first, reach, weight.clone());
         }
-        let noise = if T::EXACT { T::zero() } else { epsilon::<T>() * T::int(16 * count as i64) };
+        let noise = noise::<T>(count + width * width);
         let least = noise.clone() * noise;
         let holds = |k: &usize| factor.pivots[*k] > least.clone() * &diagonal[*k];
-        let loose: Vec<usize> = (0..count).filter(|k| !holds(k)).collect();
-        if loose.is_empty() { Ok(factor) } else { Err(loose) }
+        let loose = (0..count).filter(|k| !holds(k)).collect();
+        (factor, loose)
+    }
+
+    /// The factors of a symmetric matrix without negative eigenvalues; row `k` of the band has its entries from the diagonal
+    /// on, `width` of them.
+    ///
+    /// If there is a null space, the unknowns without a pivot are returned: as many as its dimension.
+    pub(crate) fn of_band(width: usize, mut band: Vec<T>) -> Result<Self, Vec<usize>> {
+        let count = band.len() / width;
+        let noise = noise::<T>(count);
+        let least: Vec<T> = band.iter().step_by(width).map(|x| noise.clone() * x).collect();
+        let (mut pivots, mut loose) = (Vec::with_capacity(count), Vec::new());
+        for (k, least) in least.iter().enumerate() {
+            let (own, below) = band[k * width..].split_at_mut(width);
+            let pivot = own[0].clone();
+            pivots.push(pivot.clone());
+            let holds = pivot > *least;
+            if !holds {
+                loose.push(k);
+                continue;
+            }
+            for (i, row) in below.chunks_exact_mut(width).take(width - 1).enumerate() {
+                if own[i + 1].is_zero() {
+                    continue;
+                }
+                let factor = own[i + 1].clone() / &pivot;
+                row.iter_mut().zip(&own[i + 1..]).for_each(|(x, y)| *x -= factor.clone() * y);
+            }
+            own[1..].iter_mut().for_each(|x| *x /= &pivot);
+        }
+        if !loose.is_empty() {
+            return Err(loose);
+        }
+        let mut index = 0..;
+        band.retain(|_| index.next().is_some_and(|i: usize| !i.is_multiple_of(width)));
+        Ok(Self { width, upper: band, pivots })
     }
 
     /// Adds the square of a row, which has entries from `first` to `reach` and is zero afterwards.
@@ -118,15 +159,35 @@ impl<T: Scalar> Factor<T> {
         &self.upper[k * (self.width - 1)..][..length]
     }
 
+    /// A basis of the null space, a vector for each of the unknowns without a pivot: `R x = 0` in the other rows.
+    pub(crate) fn null_space(&self, loose: &[usize]) -> Vec<Vec<T>> {
+        let count = self.pivots.len();
+        let mut free = vec![false; count];
+        loose.iter().for_each(|k| free[*k] = true);
+        let vector = |own: &usize| {
+            let mut x = vec![T::zero(); count];
+            x[*own] = T::one();
+            for k in (0..*own).rev().filter(|k| !free[*k]) {
+                x[k] = -T::dot(self.row(k).iter().zip(&x[k + 1..]));
+            }
+            x
+        };
+        loose.iter().map(vector).collect()
+    }
+
     /// Solves with `columns` right-hand sides at once, unknown `k` of column `j` at `k * columns + j`.
     pub(crate) fn solve<C: Coeff<T>>(&self, values: &mut [C], columns: usize) {
         let count = self.pivots.len();
         for k in 0..count {
             let (done, rest) = values.split_at_mut((k + 1) * columns);
-            let own = &done[k * columns..];
+            let own = &mut done[k * columns..];
+            if own.iter().all(faded) {
+                own.iter_mut().for_each(|x| *x = x.zero_like());
+                continue;
+            }
             for (entry, other) in self.row(k).iter().zip(rest.chunks_exact_mut(columns)) {
                 let factor = -entry.clone();
-                other.iter_mut().zip(own).for_each(|(y, x)| y.add_scaled(&factor, x));
+                other.iter_mut().zip(&*own).for_each(|(y, x)| y.add_scaled(&factor, x));
             }
         }
         for k in (0..count).rev() {
@@ -137,6 +198,19 @@ impl<T: Scalar> Factor<T> {
                 let factor = -entry.clone();
                 own.iter_mut().zip(other).for_each(|(x, y)| x.add_scaled(&factor, y));
             }
+            if own.iter().all(faded) {
+                own.iter_mut().for_each(|x| *x = x.zero_like());
+            }
         }
     }
+}
+
+/// Up to this share of the diagonal a pivot of `count` is rounding.
+fn noise<T: Scalar>(count: usize) -> T {
+    if T::EXACT { T::zero() } else { epsilon::<T>() * T::int(16 * count as i64) }
+}
+
+/// Whether it is zero, or has lost its digits to the end of the range, where a response that dies away would stay and take long.
+fn faded<T: Scalar, C: Coeff<T>>(x: &C) -> bool {
+    x.components().all(|x| x.is_zero() || (!T::EXACT && (x.clone() * epsilon::<T>()).is_zero()))
 }

@@ -33,7 +33,7 @@ pub struct Forces<'a, T: Scalar, S: Controlled<T>> {
     single: Vec<(Load<T>, S::Point)>,
     /// Loads of all control points.
     spread: Option<Vec<S::Point>>,
-    zero: S::Point,
+    pub(crate) zero: S::Point,
 }
 
 /// How many single forces are answered one by one.
@@ -159,7 +159,7 @@ impl<'a, T: Scalar, S: Controlled<T>> Forces<'a, T, S> {
     }
 
     /// The weights of one load, with the places of control points in the list.
-    fn each_of(&self, load: &Load<T>, mut each: impl FnMut(usize, &T)) {
+    pub(crate) fn each_of(&self, load: &Load<T>, mut each: impl FnMut(usize, &T)) {
         let along = |direction: usize| {
             let space = self.elastic.stiffnesses()[direction].space();
             let row = &load[direction];

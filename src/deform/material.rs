@@ -135,16 +135,7 @@ impl<T: Scalar> Material<T> {
         if let Some(first) = current {
             spread(first, &mut block);
         }
-        let mut gather = Gather::new(n);
-        let mut map = LinearMap::empty(n, n);
-        for (index, column) in columns.into_iter().enumerate() {
-            if !column.iter().all(|(_, entry)| entry.is_finite()) {
-                return Err(Error::NotFinite { what: "row of the stiffness matrix", index });
-            }
-            column.into_iter().for_each(|(j, entry)| gather.add(j, entry));
-            map.push_with(|weights| gather.drain_into(weights));
-        }
-        Ok(map)
+        gathered(columns)
     }
 
     /// The energy `E(f)`: a sum of squares, never negative.
@@ -164,12 +155,22 @@ impl<T: Scalar> Material<T> {
 
     /// The energy as a sum of squares `Σ w (Σ_i a_i c[first + i])²` with `p + 1` weights `a` each and unrolled indices, span
     /// by span: `f^(k)` on a span in polynomials that are orthogonal there.
-    pub(crate) fn each_square(&self, space: &SplineSpace<T>, mut square: impl FnMut(usize, &[T], &T)) {
+    pub(crate) fn each_square(&self, space: &SplineSpace<T>, square: impl FnMut(usize, &[T], &T)) {
+        self.each_square_on(space, space.spans(), square);
+    }
+
+    /// The squares of the energy on these spans, which are not empty.
+    pub(crate) fn each_square_on(
+        &self,
+        space: &SplineSpace<T>,
+        spans: impl Iterator<Item = usize>,
+        mut square: impl FnMut(usize, &[T], &T),
+    ) {
         let (p, t) = (space.degree(), space.knots());
         let orders = || self.weights.iter().enumerate().take(p + 1).filter(|(_, w)| !w.is_zero());
         let bases: Vec<Orthogonal<T>> = orders().map(|(k, _)| Orthogonal::new(p - k)).collect();
         let (mut args, mut free, mut weights) = (Vec::new(), Vec::new(), Vec::new());
-        for k in space.spans() {
+        for k in spans {
             let (start, end) = (&t[k], &t[k + 1]);
             let length = end.clone() - start;
             // Row j has the weights of Bernstein coefficient j.
@@ -192,6 +193,24 @@ impl<T: Scalar> Material<T> {
             }
         }
     }
+}
+
+/// The map with the given entries as rows; those of one place are added up.
+///
+/// # Errors
+/// [`Error::NotFinite`].
+pub(crate) fn gathered<T: Scalar>(rows: Vec<Vec<(usize, T)>>) -> Result<LinearMap<T>> {
+    let n = rows.len();
+    let mut gather = Gather::new(n);
+    let mut map = LinearMap::empty(n, n);
+    for (index, row) in rows.into_iter().enumerate() {
+        if !row.iter().all(|(_, entry)| entry.is_finite()) {
+            return Err(Error::NotFinite { what: "row of the stiffness matrix", index });
+        }
+        row.into_iter().for_each(|(j, entry)| gather.add(j, entry));
+        map.push_with(|weights| gather.drain_into(weights));
+    }
+    Ok(map)
 }
 
 /// Replaces rows by the differences of neighbours times `factor`.

@@ -3,19 +3,20 @@
 use crate::coeff::{Coeff, check_shapes};
 use crate::deform::breadth::Breadth;
 use crate::deform::factor::{Factor, Squares};
+use crate::deform::hats;
 use crate::deform::material::Material;
 use crate::error::deform::DeformError;
 use crate::error::{Error, Result};
 use crate::functional::Functional;
-use crate::knots::KnotVector;
 use crate::map::LinearMap;
 use crate::scalar::Scalar;
 use crate::space::SplineSpace;
+use std::sync::OnceLock;
 
 /// The matrix `K_r` of a material on the coefficients of a space that may move, ready to be solved with [Vassilev, (17)].
 ///
 /// `K_r` is the part of `K` with rows and columns of these coefficients; the others keep their places. Making it and solving
-/// with it take time linear in their number.
+/// with it take time linear in their number, however many others there are.
 ///
 /// # Examples
 /// A rod that resists stretching, held at both ends and pulled in the middle:
@@ -36,10 +37,9 @@ pub struct Stiffness<T> {
     /// The coefficients that may move in the order of the factor.
     order: Vec<usize>,
     factor: Factor<T>,
-    /// From coefficients of `space` to the integrals `∫ f S_j` with the hat functions `S_j` of the breaks.
-    hats: LinearMap<T>,
-    /// The space of the hat functions.
-    hat_space: SplineSpace<T>,
+    /// From coefficients of `space` to the integrals `∫ f S_j` with the hat functions `S_j` of the breaks; made when it is asked
+    /// for.
+    hats: OnceLock<LinearMap<T>>,
 }
 
 impl<T: Scalar> Stiffness<T> {
@@ -62,32 +62,26 @@ impl<T: Scalar> Stiffness<T> {
     pub fn new(space: &SplineSpace<T>, material: &Material<T>, breadth: &Breadth<T>) -> Result<Self> {
         let moving = breadth.coeffs(space)?;
         let (order, width) = ordered(space, &moving);
-        let mut rank = vec![None; space.dim()];
-        order.iter().enumerate().for_each(|(rank_of, index)| rank[*index] = Some(rank_of));
-        let mut squares = Squares::default();
-        let mut finite = true;
-        material.each_square(space, |first, row, weight| {
-            finite &= weight.is_finite() && row.iter().all(T::is_finite);
-            let terms = row.iter().enumerate().filter(|(_, x)| !x.is_zero());
-            let terms = terms.filter_map(|(i, x)| Some((rank[space.slot(first + i)]?, x.clone())));
-            squares.push(terms, weight.clone());
-        });
-        if !finite {
-            return Err(Error::NotFinite { what: "stiffness", index: 0 });
-        }
+        let squares = squares(space, material, &order)?;
         let factor = Factor::new(order.len(), width, &squares).map_err(|loose| DeformError::NullSpace {
             order: material.lowest_order(),
             dimension: loose.len(),
             coefficient: loose.last().map_or(0, |rank| order[*rank]),
         })?;
-        let hat_space = hat_space(space)?;
-        let hats = hat_space.gram(space, 0, 0)?;
-        Ok(Self { space: space.clone(), material: material.clone(), moving, order, factor, hats, hat_space })
+        let hats = OnceLock::new();
+        Ok(Self { space: space.clone(), material: material.clone(), moving, order, factor, hats })
     }
 
     /// The space.
     pub fn space(&self) -> &SplineSpace<T> {
         &self.space
+    }
+
+    /// Whether this is its space; if they share their knots none is looked at.
+    pub(crate) fn is_over(&self, space: &SplineSpace<T>) -> bool {
+        let shared = std::ptr::eq(space.knots().as_slice(), self.space.knots().as_slice());
+        let kind = |space: &SplineSpace<T>| (space.degree(), space.dim(), space.is_periodic());
+        (shared && kind(space) == kind(&self.space)) || *space == self.space
     }
 
     /// The material.
@@ -113,7 +107,7 @@ impl<T: Scalar> Stiffness<T> {
     /// # Ok::<(), symspline::Error>(())
     /// ```
     pub fn forcing(&self) -> &LinearMap<T> {
-        &self.hats
+        self.hats.get_or_init(|| hats::forcing(&self.space))
     }
 
     /// The load of a unit force at `x`: shared by the breaks on both sides of it [Vassilev, (16) and (17)].
@@ -121,7 +115,7 @@ impl<T: Scalar> Stiffness<T> {
     /// # Errors
     /// [`Error::OutsideDomain`].
     pub fn hat_load(&self, x: &T) -> Result<Functional<T>> {
-        Ok(self.hats.pull_back(&self.hat_space.basis(x)?))
+        hats::hat_load(&self.space, x)
     }
 
     /// How the coefficients answer a load: `V_c` with `K_r V_c = load`, zero where they are held [Vassilev, (17) and (18)].
@@ -129,7 +123,38 @@ impl<T: Scalar> Stiffness<T> {
     /// # Errors
     /// [`Error::NotFinite`] on overflow.
     pub fn response(&self, load: &Functional<T>) -> Result<Vec<T>> {
-        self.solved(&load.to_dense(self.space.dim()))
+        let mut response = vec![T::zero(); self.space.dim()];
+        self.moving.iter().zip(self.answer(load)?).for_each(|(i, x)| response[*i] = x);
+        Ok(response)
+    }
+
+    /// How the coefficients that may move answer a load, in ascending order.
+    pub(crate) fn answer(&self, load: &Functional<T>) -> Result<Vec<T>> {
+        let place = |i: &usize| self.moving.binary_search(i).ok();
+        let mut loads = vec![T::zero(); self.moving.len()];
+        for (k, weight) in load.weights().iter().enumerate() {
+            if let Some(place) = place(&((load.first() + k) % self.space.dim())) {
+                loads[place] += weight;
+            }
+        }
+        if self.order == self.moving {
+            self.solve(&mut loads, 1)?;
+            return Ok(loads);
+        }
+        let places: Vec<usize> = self.order.iter().filter_map(place).collect();
+        let mut values: Vec<T> = places.iter().map(|place| loads[*place].clone()).collect();
+        self.solve(&mut values, 1)?;
+        places.iter().zip(values).for_each(|(place, x)| loads[*place] = x);
+        Ok(loads)
+    }
+
+    /// Solves in place, the values being in the order of the factor.
+    fn solve<C: Coeff<T>>(&self, values: &mut [C], columns: usize) -> Result<()> {
+        self.factor.solve(values, columns);
+        match values.iter().position(|value| !value.all_finite()) {
+            Some(index) => Err(Error::NotFinite { what: "displacement", index }),
+            None => Ok(()),
+        }
     }
 
     /// The displacements `D` with `K_r D = load`, zero where coefficients are held [Vassilev, (15)].
@@ -150,10 +175,7 @@ impl<T: Scalar> Stiffness<T> {
         check_shapes(load)?;
         let row = |i: &usize| &load[i * columns..(i + 1) * columns];
         let mut values: Vec<C> = self.order.iter().flat_map(row).cloned().collect();
-        self.factor.solve(&mut values, columns);
-        if let Some(index) = values.iter().position(|value| !value.all_finite()) {
-            return Err(Error::NotFinite { what: "displacement", index });
-        }
+        self.solve(&mut values, columns)?;
         let mut solved: Vec<C> = load.iter().map(C::zero_like).collect();
         for (i, row) in self.order.iter().zip(values.chunks_exact(columns)) {
             solved[i * columns..(i + 1) * columns].clone_from_slice(row);
@@ -162,11 +184,34 @@ impl<T: Scalar> Stiffness<T> {
     }
 }
 
+/// The energy of the coefficients in `order`, the others being zero.
+///
+/// # Errors
+/// [`Error::NotFinite`].
+pub(crate) fn squares<T: Scalar>(
+    space: &SplineSpace<T>,
+    material: &Material<T>,
+    order: &[usize],
+) -> Result<Squares<T>> {
+    // One more than the place in the order; zero for those that are held.
+    let mut rank = vec![0_usize; space.dim()];
+    order.iter().enumerate().for_each(|(place, index)| rank[*index] = place + 1);
+    let mut squares = Squares::default();
+    let mut finite = true;
+    material.each_square_on(space, spans_under(space, order), |first, row, weight| {
+        finite &= weight.is_finite() && row.iter().all(T::is_finite);
+        let terms = row.iter().enumerate().filter(|(_, x)| !x.is_zero());
+        let terms = terms.filter_map(|(i, x)| Some((rank[space.slot(first + i)].checked_sub(1)?, x.clone())));
+        squares.push(terms, weight.clone());
+    });
+    if finite { Ok(squares) } else { Err(Error::NotFinite { what: "stiffness", index: 0 }) }
+}
+
 /// The coefficients that may move in an order in which neighbours are near, and how far a basis function of a span reaches.
 ///
 /// Along a chain that is the order of indices. On a ring that nothing cuts open places are taken from both sides, `0, m - 1, 1,
 /// m - 2, ...`, so that the band has no corners.
-fn ordered<T: Scalar>(space: &SplineSpace<T>, moving: &[usize]) -> (Vec<usize>, usize) {
+pub(crate) fn ordered<T: Scalar>(space: &SplineSpace<T>, moving: &[usize]) -> (Vec<usize>, usize) {
     let (p, n, m) = (space.degree(), space.dim(), moving.len());
     if !space.is_periodic() {
         return (moving.to_vec(), p + 1);
@@ -180,12 +225,15 @@ fn ordered<T: Scalar>(space: &SplineSpace<T>, moving: &[usize]) -> (Vec<usize>, 
     }
 }
 
-/// The continuous functions that are linear between breaks.
-fn hat_space<T: Scalar>(space: &SplineSpace<T>) -> Result<SplineSpace<T>> {
-    let mut breaks: Vec<T> = space.breaks().into_iter().map(|(knot, _)| knot).collect();
-    if !space.is_periodic() {
-        return SplineSpace::clamped(1, breaks);
-    }
-    breaks.pop();
-    SplineSpace::joined(1, &KnotVector::new(breaks)?, space.domain().1.clone())
+/// The non-empty spans on which some of these coefficients have influence, in ascending order.
+fn spans_under<T: Scalar>(space: &SplineSpace<T>, moving: &[usize]) -> impl Iterator<Item = usize> {
+    let (p, n, t) = (space.degree(), space.dim(), space.knots());
+    let spans = p..space.unrolled_dim();
+    // In a ring `n` spans, beginning with `p`, where unrolled indices turn to those of spans.
+    let among = |k: usize| if space.is_periodic() { p + (k + p * n - p) % n } else { k };
+    let each = moving.iter().flat_map(|i| (*i..=i + p).map(among));
+    let mut under: Vec<usize> = each.filter(|k| spans.contains(k) && t[*k] < t[k + 1]).collect();
+    under.sort_unstable();
+    under.dedup();
+    under.into_iter()
 }

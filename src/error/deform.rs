@@ -22,6 +22,32 @@ pub enum DeformError {
         /// One of these coefficients that nothing holds.
         coefficient: usize,
     },
+    /// The energy of a surface has a weight that is negative or not finite.
+    #[error("the weight {weight} of derivative ({k}, {l}) is not a finite number from zero on")]
+    SurfaceWeight {
+        /// How many derivatives along `u`.
+        k: usize,
+        /// How many along `v`.
+        l: usize,
+        /// The weight.
+        weight: String,
+    },
+    /// Some motions of a surface cost no energy.
+    #[error(
+        "{dimension} independent motions of the surface cost no energy: hold more control points, or weigh the value itself"
+    )]
+    LooseSurface {
+        /// The dimension of the null space on the control points that may move.
+        dimension: usize,
+        /// One of these control points that nothing holds, as its place in the list.
+        point: usize,
+    },
+    /// A step in time is not positive.
+    #[error("the time step {step} is not a positive finite number")]
+    Step {
+        /// The step.
+        step: String,
+    },
     /// No coefficient may move.
     #[error("no control point may move")]
     NothingMoves,
@@ -42,11 +68,23 @@ pub enum DeformError {
         /// What they ask for.
         what: &'static str,
     },
+    /// Nothing is held that could be dragged.
+    #[error("nothing is held: grab the shape first")]
+    NothingHeld,
     /// The shape is not over the spaces of the material.
     #[error("the shape is over another space along {direction}")]
     OtherSpace {
         /// Along which parameter.
         direction: String,
+    },
+    /// Forces are spread over a curve or an area without a single sample on it.
+    #[error("no sample lies on the curve or in the area")]
+    NoSamples,
+    /// A curve around an area does not end where it begins, or jumps.
+    #[error("the curve around the area is open at {parameter}")]
+    OpenBoundary {
+        /// Where it is open; at its end if it does not meet its start.
+        parameter: String,
     },
 }
 

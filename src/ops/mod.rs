@@ -17,7 +17,7 @@ pub mod join;
 pub mod reverse;
 pub mod reparam;
 pub mod seam;
-mod cuts;
+pub(crate) mod cuts;
 pub mod compose;
 pub(crate) mod patch;
 pub mod sign;

@@ -47,6 +47,11 @@ impl<T: Scalar> Polygons<T> {
         let edges = self.edges.iter().map(|[(a, c), (b, d)]| [(a, c), (b, d)]);
         is_inside(edges, (&point.0, &point.1))
     }
+
+    /// The edges of all polygons.
+    pub(crate) fn edges(&self) -> &[[(T, T); 2]] {
+        &self.edges
+    }
 }
 
 /// Whether a point is on an edge, or a ray from it crosses an odd number of edges.

@@ -29,7 +29,7 @@ pub(super) static RULES: LazyLock<[Rule; NODES.len()]> = LazyLock::new(|| NODES.
 
 /// A rule on `[0, 1]`.
 #[derive(Debug)]
-pub(super) struct Rule {
+pub(crate) struct Rule {
     /// Nodes and weights; the weights add up to one.
     nodes: Vec<(f64, f64)>,
     /// The error of the rule on `[0, 1]` is at most this times the largest magnitude on the ellipse.
@@ -37,7 +37,8 @@ pub(super) struct Rule {
 }
 
 impl Rule {
-    fn new(count: usize) -> Self {
+    /// The rule of `count` nodes.
+    pub(crate) fn new(count: usize) -> Self {
         let node = |i: usize| {
             // Newton's method for zero i of the Legendre polynomial.
             let guess = (std::f64::consts::PI * (i as f64 + 0.75) / (count as f64 + 0.5)).cos();
@@ -51,6 +52,11 @@ impl Rule {
         };
         let factor = |rho: f64| 32.0 / 15.0 / ((1.0 - rho.powi(-2)) * rho.powi(2 * count as i32));
         Self { nodes: (0..count).map(node).collect(), factors: ELLIPSES.map(factor) }
+    }
+
+    /// Nodes and weights on `[0, 1]`; the weights add up to one.
+    pub(crate) fn nodes(&self) -> &[(f64, f64)] {
+        &self.nodes
     }
 
     /// How many nodes it has.

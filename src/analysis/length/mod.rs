@@ -11,7 +11,7 @@
 //!
 //! Where a curve jumps, the jump counts nothing: the length is that of the pieces.
 
-mod gauss;
+pub(crate) mod gauss;
 mod jet;
 mod piece;
 mod source;
