@@ -9,6 +9,7 @@ pub mod material;
 mod factor;
 pub mod breadth;
 mod hats;
+mod loose;
 pub mod stiffness;
 mod null_space;
 mod quadrature;

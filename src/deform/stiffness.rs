@@ -4,6 +4,7 @@ use crate::coeff::{Coeff, check_shapes};
 use crate::deform::breadth::Breadth;
 use crate::deform::factor::{Factor, Squares};
 use crate::deform::hats;
+use crate::deform::loose::loose_motions;
 use crate::deform::material::Material;
 use crate::error::deform::DeformError;
 use crate::error::{Error, Result};
@@ -63,11 +64,16 @@ impl<T: Scalar> Stiffness<T> {
         let moving = breadth.coeffs(space)?;
         let (order, width) = ordered(space, &moving);
         let squares = squares(space, material, &order)?;
-        let factor = Factor::new(order.len(), width, &squares).map_err(|loose| DeformError::NullSpace {
-            order: material.lowest_order(),
-            dimension: loose.len(),
-            coefficient: loose.last().map_or(0, |rank| order[*rank]),
-        })?;
+        let lowest = material.lowest_order();
+        let free = |dimension, coefficient| DeformError::NullSpace { order: lowest, dimension, coefficient };
+        // Over floats the factors alone may take a motion that is free for one that costs little.
+        let told =
+            if T::EXACT { None } else { lowest.and_then(|order| loose_motions(space, order, &moving)) };
+        if let Some((dimension, coefficient)) = told.filter(|(dimension, _)| *dimension > 0) {
+            return Err(free(dimension, coefficient).into());
+        }
+        let factor = Factor::new(order.len(), width, &squares)
+            .map_err(|loose| free(loose.len(), loose.last().map_or(0, |rank| order[*rank])))?;
         let hats = OnceLock::new();
         Ok(Self { space: space.clone(), material: material.clone(), moving, order, factor, hats })
     }

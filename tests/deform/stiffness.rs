@@ -105,6 +105,27 @@ proptest! {
         }
     }
 
+    /// Whatever the knots, floats refuse what exact numbers refuse, for the same number of motions.
+    #[test]
+    fn floats_refuse_the_same(space in space(ANY.of_degree(0, 5)), wish in wish()) {
+        let (Ok(floats), Ok(moving)) = (space.map_scalars(|x| Ok(x.to_f64())), wish.first_breadth(&space).coeffs(&space)) else {
+            return Ok(());
+        };
+        let material = wish.first_material()?;
+        let rounded = Material::of_orders(material.weights().iter().map(Q::to_f64))?;
+        let exact = Stiffness::new(&floats.map_scalars(|x| Q::try_from(*x))?, &material, &Breadth::Listed(moving.clone()));
+        let found = Stiffness::new(&floats, &rounded, &Breadth::Listed(moving));
+        match (exact, found) {
+            (Err(Error::Deform(DeformError::NullSpace { order, dimension, .. })), Err(Error::Deform(DeformError::NullSpace { order: o, dimension: d, .. }))) => {
+                prop_assert_eq!((order, dimension), (o, d));
+            }
+            (Err(Error::Deform(DeformError::NullSpace { dimension, .. })), found) => {
+                prop_assert!(false, "{} motions, {:?}", dimension, found.is_ok());
+            }
+            _ => {}
+        }
+    }
+
     #[test]
     fn hats_share_out_loads(space in space(LOW), at in any::<prop::sample::Index>()) {
         let stiffness = Stiffness::new(&space, &pure(0)?, &Breadth::Whole)?;
@@ -175,5 +196,21 @@ fn long_chains_keep_their_digits() -> Result<()> {
     let n = answer.len();
     let skew = (0..n).map(|i| (answer[i] - answer[n - 1 - i]).abs()).fold(0.0, f64::max);
     assert!(skew < 1e-7 * middle, "{skew:e}");
+    Ok(())
+}
+
+/// Spans from tiny to huge: floats count the free motions that there are.
+#[test]
+fn free_motions_of_uneven_splines_are_counted() -> Result<()> {
+    let knots: Vec<f64> = (0..12).map(|i| f64::from(i) + if i > 6 { 1000.0 } else { 0.0 }).collect();
+    let space = SplineSpace::clamped(3, knots)?;
+    let bending = Material::new(0.0, 1.0)?;
+    for (breadth, expected) in [(Breadth::Whole, 2), (Breadth::Range(0..13), 1), (Breadth::Range(1..14), 1)] {
+        let found = Stiffness::new(&space, &bending, &breadth).unwrap_err();
+        let told =
+            matches!(found, Error::Deform(DeformError::NullSpace { dimension, .. }) if dimension == expected);
+        assert!(told, "{found}");
+    }
+    Stiffness::new(&space, &bending, &Breadth::Range(0..12))?;
     Ok(())
 }
