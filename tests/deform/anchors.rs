@@ -14,8 +14,8 @@ const SMALL: Kind = ANY.of_degree(0, 3).few(3);
 const FEW: Kind = ANY.of_degree(0, 2).few(2);
 
 fn constraints<'a, S: Body>(shape: &'a S, wish: &Wish, count: usize) -> Result<Constraints<'a, Q, S>, Error> {
-    let each = wish.places.iter().take(count).enumerate();
-    each.fold(Ok(Constraints::on(shape)), |all, (k, at)| all?.derivative(&shape.place(at), S::order(k % 3)))
+    let mut each = wish.places.iter().take(count).enumerate();
+    each.try_fold(Constraints::on(shape), |all, (k, at)| all.derivative(&shape.place(at), S::order(k % 3)))
 }
 
 /// The loads on control points that may move are those of the forces at the constraints.
@@ -134,7 +134,7 @@ proptest! {
         let Ok(held) = elastic.anchored(&Constraints::on(&shape).isocurve(direction, &x)?) else { return Ok(()) };
         let count = shape.space(direction.other()).dim();
         let targets: Vec<_> = (0..count).map(|k| <Surface<Q, 2> as Body>::vector(&wish.numbers[k % 60..])).collect();
-        let mut met = shape.clone();
+        let mut met = shape;
         held.meet(&mut met, &targets)?;
         let found = met.isocurve(direction, &x)?;
         prop_assert_eq!(found.coeffs(), &targets[..]);
@@ -173,7 +173,7 @@ proptest! {
             Err(Error::Shape(ShapeError::Dependent { .. })) => return Ok(()),
             other => other?,
         };
-        let mut met = shape.clone();
+        let mut met = shape;
         held.meet_curve(&mut met, &target)?;
         let both = path.space().even_parameters(count)?.into_iter().zip(target.space().even_parameters(count)?);
         for (t, s) in both {

@@ -86,7 +86,7 @@ fn breadths_are_checked() -> Result<()> {
 #[test]
 fn shapes_and_forces_are_checked() -> Result<()> {
     let space = SplineSpace::uniform(3, 4, 0.0, 1.0)?;
-    let mut curve = Curve::constant(space.clone(), vector![1.0, 2.0])?;
+    let mut curve = Curve::constant(space, vector![1.0, 2.0])?;
     let before = curve.clone();
     let material = Material::new(1.0, 1.0)?;
     let elastic = Elastic::of(&curve, &material, &[Breadth::Range(3..5)])?;

@@ -84,7 +84,7 @@ proptest! {
         let rounded = Material::of_orders(material.weights().iter().map(Q::to_f64))?;
         let (Ok(exact), found) = (
             Stiffness::new(&floats.map_scalars(|x| Q::try_from(*x))?, &material, &Breadth::Listed(moving.clone())),
-            Stiffness::new(&floats, &rounded, &Breadth::Listed(moving.clone())),
+            Stiffness::new(&floats, &rounded, &Breadth::Listed(moving)),
         ) else {
             return Ok(());
         };
