@@ -10,12 +10,12 @@ use crate::error::deform::DeformError;
 use crate::error::shape::ShapeError;
 use crate::error::{Error, Result};
 use crate::limits::check_entries;
-use crate::map::LinearMap;
 use crate::row::Row;
-use crate::scalar::Scalar;
+use crate::scalar::{Scalar, larger_size};
 use crate::shape::constraints::{Constraints, Wanted};
 use crate::shape::controlled::Controlled;
 use crate::spline::Spline;
+use crate::tensor::spline::transposed;
 
 /// Constraints on an elastic shape, ready to be changed.
 ///
@@ -23,8 +23,9 @@ use crate::spline::Spline;
 /// K D = load + Aᵀ λ,   A D = b            (A K⁻¹ Aᵀ) λ = b - A K⁻¹ load
 /// ```
 /// Of all displacements with `A D = b` this is the one of least energy. The multipliers `λ` are the forces that hold the shape:
-/// they act on it as forces with [`Spread::Point`](crate::Spread::Point) do. Made once for `s` constraints, a drag takes `s²`
-/// operations and one solution with `K`.
+/// they act on it as forces with [`Spread::Point`](crate::Spread::Point) do. Made once for `s` constraints by as many solutions with
+/// `K`, a drag takes `s²` operations and one solution, over floats a few. The constrained values of a rational shape are those of
+/// shapes with the same weights.
 ///
 /// # Examples
 /// A surface is lifted in the middle, while a corner keeps its point and its tangents:
@@ -61,7 +62,8 @@ impl<T: Scalar> Elastic<T> {
     /// Which control points may move is a matter of the breadth of this body.
     ///
     /// # Errors
-    /// [`ShapeError::Dependent`] if a constraint follows from others, or has no control points to move;
+    /// [`ShapeError::Dependent`] if a constraint follows from others, in floating point up to rounding, or has no control points
+    /// to move;
     /// [`DeformError::Meaningless`] if the constraints hold or weigh control points or allow least squares;
     /// [`DeformError::OtherSpace`]; [`Error::NotFinite`] on overflow; [`Error::TooLarge`].
     pub fn anchored<S: Controlled<T>>(&self, constraints: &Constraints<'_, T, S>) -> Result<Anchored<T, S>> {
@@ -106,7 +108,8 @@ impl<T: Scalar> Elastic<T> {
     /// The gradient of the energy, but for the factor 2: `K V` or `K_u V K_v`, for all control points [Vassilev, (25)].
     ///
     /// # Errors
-    /// [`Error::CoefficientCount`] unless there is one for each control point; [`Error::Ragged`]; those of [`Material::matrix`](crate::Material::matrix).
+    /// [`Error::CoefficientCount`] unless there is one for each control point; [`Error::Ragged`];
+    /// [`Error::NotFinite`] on overflow.
     ///
     /// # Examples
     /// ```
@@ -117,15 +120,21 @@ impl<T: Scalar> Elastic<T> {
     /// # Ok::<(), symspline::Error>(())
     /// ```
     pub fn loads<C: Coeff<T>>(&self, coeffs: &[C]) -> Result<Vec<C>> {
-        let matrix = |along: &Stiffness<T>| along.material().matrix(along.space());
-        let maps = self.stiffnesses().iter().map(matrix).collect::<Result<Vec<LinearMap<T>>>>()?;
-        let [u, v] = &maps[..] else { return maps[0].apply(coeffs) };
-        let (expected, found) = (u.source_dim() * v.source_dim(), coeffs.len());
-        if found != expected {
-            return Err(Error::CoefficientCount { expected, found });
+        let [u, v] = self.stiffnesses() else {
+            let along = &self.stiffnesses()[0];
+            return along.material().gradient(along.space(), coeffs);
+        };
+        let (m, n) = (u.space().dim(), v.space().dim());
+        if coeffs.len() != m * n {
+            return Err(Error::CoefficientCount { expected: m * n, found: coeffs.len() });
         }
-        let rows = coeffs.chunks_exact(v.source_dim()).map(|row| Ok(Row(v.apply(row)?)));
-        Ok(u.apply(&rows.collect::<Result<Vec<_>>>()?)?.into_iter().flat_map(|row| row.0).collect())
+        let along = |along: &Stiffness<T>, grid: &[C], columns: usize| -> Result<Vec<C>> {
+            let rows: Vec<Row<C>> = grid.chunks_exact(columns).map(|row| Row(row.to_vec())).collect();
+            let loads = along.material().gradient(along.space(), &rows)?;
+            Ok(loads.into_iter().flat_map(|row| row.0).collect())
+        };
+        let across = along(u, coeffs, n)?;
+        Ok(transposed(&along(v, &transposed(&across, n), m)?, m))
     }
 }
 
@@ -140,12 +149,13 @@ impl<T: Scalar, S: Controlled<T>> Anchored<T, S> {
     ///
     /// # Errors
     /// [`Error::CoefficientCount`] unless there is a change for each constraint; [`Error::Ragged`];
-    /// [`DeformError::OtherSpace`], [`Error::NotFinite`] on overflow.
+    /// [`DeformError::OtherSpace`], [`Error::NotFinite`] on overflow; [`DeformError::Unmet`] if in floating point many constraints
+    /// lie so close together on a long chain that rounding is all that tells them apart.
     pub fn drag(&self, shape: &mut S, changes: &[S::Point]) -> Result<Vec<S::Point>> {
         self.elastic.check(shape)?;
-        let zero = shape.control_point(0)?.zero_like();
-        let nothing = vec![zero; shape.control_count()];
-        self.displace(shape, nothing, changes)
+        self.check_count(changes.len())?;
+        let Some(zero) = changes.first().map(S::Point::zero_like) else { return Ok(Vec::new()) };
+        self.displace(shape, vec![zero; shape.control_count()], changes)
     }
 
     /// Gives the constrained values the values `targets`, and returns the forces that this took. On an error the shape stays as it is.
@@ -154,9 +164,7 @@ impl<T: Scalar, S: Controlled<T>> Anchored<T, S> {
     /// As [`drag`](Self::drag); [`Error::Weight`] if a row weighs a control point at infinity.
     pub fn meet(&self, shape: &mut S, targets: &[S::Point]) -> Result<Vec<S::Point>> {
         self.elastic.check(shape)?;
-        if targets.len() != self.wanted.len() {
-            return Err(Error::CoefficientCount { expected: self.wanted.len(), found: targets.len() });
-        }
+        self.check_count(targets.len())?;
         let gap = |(wanted, target): (&Wanted<T, S>, &S::Point)| wanted.gap(shape, target);
         let changes = self.wanted.iter().zip(targets).map(gap).collect::<Result<Vec<_>>>()?;
         self.drag(shape, &changes)
@@ -241,10 +249,22 @@ impl<T: Scalar, S: Controlled<T>> Anchored<T, S> {
     /// ```
     pub fn relax(&self, shape: &mut S) -> Result<Vec<S::Point>> {
         self.elastic.check(shape)?;
-        let mut load = self.elastic.loads(&shape.control_points()?)?;
-        load.iter_mut().for_each(|c| c.scale(&-T::one()));
-        let zero = load[0].zero_like();
-        self.displace(shape, load, &vec![zero; self.wanted.len()])
+        let mut relaxed = shape.clone();
+        let mut forces: Vec<S::Point> = Vec::new();
+        // Over floats a second time, for what rounding of a large load left behind.
+        for _ in 0..if T::EXACT { 1 } else { 2 } {
+            let mut load = self.elastic.loads(&relaxed.control_points()?)?;
+            load.iter_mut().for_each(|c| c.scale(&-T::one()));
+            let zero = load[0].zero_like();
+            forces = self.displace(&mut relaxed, load, &vec![zero; self.wanted.len()])?;
+        }
+        *shape = relaxed;
+        Ok(forces)
+    }
+
+    fn check_count(&self, found: usize) -> Result<()> {
+        let expected = self.wanted.len();
+        if found == expected { Ok(()) } else { Err(Error::CoefficientCount { expected, found }) }
     }
 
     /// Moves control points under a load so that constrained values change in this way.
@@ -254,26 +274,38 @@ impl<T: Scalar, S: Controlled<T>> Anchored<T, S> {
         mut load: Vec<S::Point>,
         changes: &[S::Point],
     ) -> Result<Vec<S::Point>> {
-        let (expected, found) = (self.wanted.len(), changes.len());
-        if found != expected {
-            return Err(Error::CoefficientCount { expected, found });
-        }
         if let Some(index) = changes.iter().position(|change| !change.same_shape(&load[0])) {
             return Err(Error::Ragged { index });
         }
         let mut moved =
             if load.iter().all(S::Point::vanishes) { load.clone() } else { self.elastic.solved(&load)? };
         let mut forces: Vec<S::Point> = changes.iter().map(S::Point::zero_like).collect();
-        // Over floats a second time, for what rounding left open.
-        for _ in 0..if T::EXACT { 1 } else { 2 } {
+        let size = |points: &[S::Point]| {
+            points.iter().flat_map(S::Point::components).map(T::magnitude).fold(T::zero(), larger_size)
+        };
+        let (mut first, mut last) = (None, None);
+        // Over floats again, as long as that halves what rounding left open.
+        loop {
             let open = |(row, change): (&SparseRow<T>, &S::Point)| match row.apply(&moved) {
                 Some(value) => change.minus(&value),
                 None => change.clone(),
             };
             let mut more: Vec<S::Point> = self.free.iter().zip(changes).map(open).collect();
-            if more.iter().all(S::Point::vanishes) {
+            let gap = size(&more);
+            if !gap.is_finite() {
+                return Err(Error::NotFinite { what: "constrained value", index: 0 });
+            }
+            if gap.is_zero() {
                 break;
             }
+            let allowed = first.get_or_insert_with(|| gap.clone()).clone() * T::frac(1, 1 << 20);
+            if last.is_some_and(|last| T::EXACT || gap.clone() + &gap > last) {
+                if gap > allowed + size(&moved) * T::frac(1, 1 << 40) {
+                    return Err(DeformError::Unmet { open: gap.to_string() }.into());
+                }
+                break;
+            }
+            last = Some(gap);
             self.compliance.solve(&mut more);
             load.iter_mut().for_each(|c| *c = c.zero_like());
             for ((row, by), force) in self.free.iter().zip(&more).zip(&mut forces) {

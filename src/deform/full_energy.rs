@@ -50,7 +50,7 @@ use crate::tensor::spline::TensorSpline;
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct FullEnergy<T> {
-    /// For each order along `u` the weights of the orders along `v`.
+    /// For each order along `u` the weights of the orders along `v`; the last has some.
     along_v: Vec<Material<T>>,
 }
 
@@ -74,7 +74,14 @@ impl<T: Scalar> FullEnergy<T> {
             check_degree(k)?;
             along_v.push(Material::of_orders(row).map_err(|error| in_row(k, error))?);
         }
-        Ok(Self { along_v })
+        Ok(Self::of_rows(along_v))
+    }
+
+    fn of_rows(mut along_v: Vec<Material<T>>) -> Self {
+        while along_v.last().is_some_and(|row| row.weights().is_empty()) {
+            along_v.pop();
+        }
+        Self { along_v }
     }
 
     /// The energy with the eight weights of the paper: of `S_u`, `S_v`, `S_uu`, `S_uv`, `S_vv`, `S_uuv`, `S_uvv`, `S_uuvv`
@@ -137,7 +144,7 @@ impl<T: Scalar> FullEnergy<T> {
         row.resize(row.len().max(l + 1), T::zero());
         row[l] = weight;
         along_v[k] = Material::of_orders(row).map_err(|error| in_row(k, error))?;
-        Ok(Self { along_v })
+        Ok(Self::of_rows(along_v))
     }
 
     /// The weight `c_kl`.

@@ -1,10 +1,10 @@
 //! What a deformation costs.
 
-use crate::coeff::Coeff;
+use crate::coeff::{Coeff, check_shapes};
 use crate::error::deform::DeformError;
 use crate::error::{Error, Result};
 use crate::gather::Gather;
-use crate::limits::check_degree;
+use crate::limits::{check_degree, check_entries};
 use crate::map::LinearMap;
 use crate::scalar::Scalar;
 use crate::space::SplineSpace;
@@ -100,7 +100,7 @@ impl<T: Scalar> Material<T> {
     /// It is what [`SplineSpace::gram`] of derivatives gives, and exists where these jump too.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] if in floating point an entry is beyond the range.
+    /// [`Error::TooLarge`]; [`Error::NotFinite`] if in floating point an entry is beyond the range.
     ///
     /// # Examples
     /// ```
@@ -111,31 +111,16 @@ impl<T: Scalar> Material<T> {
     /// # Ok::<(), symspline::Error>(())
     /// ```
     pub fn matrix(&self, space: &SplineSpace<T>) -> Result<LinearMap<T>> {
-        let n = space.dim();
-        let mut columns: Vec<Vec<(usize, T)>> = vec![Vec::new(); n];
         let p = space.degree();
-        // The entries of one span, added up before they are spread.
-        let (mut block, mut current) = (vec![T::zero(); (p + 1) * (p + 1)], None);
-        let mut spread = |first: usize, block: &mut Vec<T>| {
-            for (k, entry) in block.iter_mut().enumerate() {
-                let entry = std::mem::replace(entry, T::zero());
-                columns[space.slot(first + k / (p + 1))].push((space.slot(first + k % (p + 1)), entry));
-            }
-        };
+        let mut bands = Bands::new(space)?;
         self.each_square(space, |first, row, weight| {
-            if let Some(before) = current.filter(|before| *before != first) {
-                spread(before, &mut block);
-            }
-            current = Some(first);
             for (i, x) in row.iter().enumerate() {
                 let scaled = weight.clone() * x;
-                row.iter().zip(&mut block[i * (p + 1)..]).for_each(|(y, entry)| *entry += scaled.clone() * y);
+                let entries = &mut bands.row(first + i)[p - i..];
+                entries.iter_mut().zip(row).for_each(|(entry, y)| *entry += scaled.clone() * y);
             }
         });
-        if let Some(first) = current {
-            spread(first, &mut block);
-        }
-        gathered(columns)
+        bands.gathered()
     }
 
     /// The energy `E(f)`: a sum of squares, never negative.
@@ -151,6 +136,29 @@ impl<T: Scalar> Material<T> {
             energy += T::dot(value.components().map(|x| (x, x))) * weight;
         });
         if energy.is_finite() { Ok(energy) } else { Err(Error::NotFinite { what: "energy", index: 0 }) }
+    }
+
+    /// Half of the gradient of the energy, `K c = Σ w a (a · c)`, without `K`: in floating point a small energy comes of
+    /// small products `a · c`, whose rounding `K` would multiply by its condition.
+    ///
+    /// # Errors
+    /// [`Error::CoefficientCount`], [`Error::Ragged`]; [`Error::NotFinite`] on overflow.
+    pub(crate) fn gradient<C: Coeff<T>>(&self, space: &SplineSpace<T>, coeffs: &[C]) -> Result<Vec<C>> {
+        if coeffs.len() != space.dim() {
+            return Err(Error::CoefficientCount { expected: space.dim(), found: coeffs.len() });
+        }
+        check_shapes(coeffs)?;
+        let mut gradient: Vec<C> = coeffs.iter().map(C::zero_like).collect();
+        self.each_square(space, |first, row, weight| {
+            let terms = row.iter().enumerate().map(|(i, x)| (x, &coeffs[space.slot(first + i)]));
+            let mut value = C::combine(terms).expect("a span has coefficients");
+            value.scale(weight);
+            row.iter().enumerate().for_each(|(i, x)| gradient[space.slot(first + i)].add_scaled(x, &value));
+        });
+        match gradient.iter().position(|x| !x.all_finite()) {
+            Some(index) => Err(Error::NotFinite { what: "gradient", index }),
+            None => Ok(gradient),
+        }
     }
 
     /// The energy as a sum of squares `Σ w (Σ_i a_i c[first + i])²` with `p + 1` weights `a` each and unrolled indices, span
@@ -195,22 +203,50 @@ impl<T: Scalar> Material<T> {
     }
 }
 
-/// The map with the given entries as rows; those of one place are added up.
-///
-/// # Errors
-/// [`Error::NotFinite`].
-pub(crate) fn gathered<T: Scalar>(rows: Vec<Vec<(usize, T)>>) -> Result<LinearMap<T>> {
-    let n = rows.len();
-    let mut gather = Gather::new(n);
-    let mut map = LinearMap::empty(n, n);
-    for (index, row) in rows.into_iter().enumerate() {
-        if !row.iter().all(|(_, entry)| entry.is_finite()) {
-            return Err(Error::NotFinite { what: "row of the stiffness matrix", index });
-        }
-        row.into_iter().for_each(|(j, entry)| gather.add(j, entry));
-        map.push_with(|weights| gather.drain_into(weights));
+/// A matrix on the coefficients of a space that joins those of common spans: entry `j - i + p` of row `i` stands for `j`.
+pub(crate) struct Bands<'a, T> {
+    space: &'a SplineSpace<T>,
+    entries: Vec<T>,
+}
+
+impl<'a, T: Scalar> Bands<'a, T> {
+    /// All zero.
+    ///
+    /// # Errors
+    /// [`Error::TooLarge`].
+    pub(crate) fn new(space: &'a SplineSpace<T>) -> Result<Self> {
+        let (n, width) = (space.dim(), 2 * space.degree() + 1);
+        check_entries(n, width)?;
+        Ok(Self { space, entries: vec![T::zero(); n * width] })
     }
-    Ok(map)
+
+    /// The row of a coefficient, by its unrolled index.
+    pub(crate) fn row(&mut self, i: usize) -> &mut [T] {
+        let width = 2 * self.space.degree() + 1;
+        &mut self.entries[self.space.slot(i) * width..][..width]
+    }
+
+    /// The rows with indices wrapped.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`].
+    pub(crate) fn gathered(self) -> Result<LinearMap<T>> {
+        let (p, n) = (self.space.degree(), self.space.dim());
+        let mut gather = Gather::new(n);
+        let mut map = LinearMap::empty(n, n);
+        for (i, row) in self.entries.chunks_exact(2 * p + 1).enumerate() {
+            if !row.iter().all(T::is_finite) {
+                return Err(Error::NotFinite { what: "row of the stiffness matrix", index: i });
+            }
+            let at = |k: usize| (i + k + p * n - p) % n;
+            row.iter()
+                .enumerate()
+                .filter(|(_, x)| !x.is_zero())
+                .for_each(|(k, x)| gather.add(at(k), x.clone()));
+            map.push_with(|weights| gather.drain_into(weights));
+        }
+        Ok(map)
+    }
 }
 
 /// Replaces rows by the differences of neighbours times `factor`.

@@ -2,14 +2,17 @@
 
 use crate::coeff::Coeff;
 use crate::deform::elastic::Elastic;
-use crate::error::Result;
 use crate::error::deform::DeformError;
+use crate::error::{Error, Result};
 use crate::scalar::Scalar;
 use crate::shape::controlled::Controlled;
 use crate::shape::drag::Drag;
 
 /// A force at one place of a shape, ready to be changed: the displacements are `V_c f`, and the point there moves by `(B · V_c) f`
 /// [Vassilev, (18), (20), (31) and (32)].
+///
+/// It is for the shape that it was made on and its like, with the same spaces and weights; that they have as many control points
+/// is all that is checked.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Pull<T: Scalar, S: Controlled<T>> {
     at: S::Parameter,
@@ -22,7 +25,7 @@ impl<T: Scalar> Elastic<T> {
     ///
     /// # Errors
     /// [`DeformError::NoHold`] if a force there does not move the point, for want of control points that may move; [`DeformError::OtherSpace`];
-    /// [`Error::OutsideDomain`](crate::Error::OutsideDomain), [`Error::NotFinite`](crate::Error::NotFinite) on overflow.
+    /// [`Error::OutsideDomain`]; [`Error::NotFinite`] on overflow.
     pub fn pull<S: Controlled<T>>(&self, shape: &S, at: &S::Parameter) -> Result<Pull<T, S>> {
         self.check(shape)?;
         let response = self.response(&self.load_at(|direction| S::coordinate(at, direction))?)?;
@@ -30,7 +33,10 @@ impl<T: Scalar> Elastic<T> {
         let answer = |i: &usize| response.binary_search_by_key(i, |(j, _)| *j).ok().map(|k| &response[k].1);
         let met = influence.terms().iter().filter_map(|(i, b)| Some((b, answer(i)?)));
         let give = met.fold(T::zero(), |sum, (b, v)| sum + b.clone() * v);
-        if give.is_zero() || !give.is_finite() {
+        if !give.is_finite() {
+            return Err(Error::NotFinite { what: "movement under a unit force", index: 0 });
+        }
+        if give.is_zero() {
             return Err(DeformError::NoHold { place: format!("{at:?}") }.into());
         }
         let (indices, matrix) = response.into_iter().unzip();

@@ -4,7 +4,7 @@
 //! has degree `2 (p - k)`, for which `p - k + 1` nodes suffice and no fewer [Vassilev, (33)].
 
 use crate::analysis::length::gauss::Rule;
-use crate::deform::material::{Material, gathered};
+use crate::deform::material::{Bands, Material};
 use crate::error::{Error, Result};
 use crate::functional::Functional;
 use crate::limits::MAX_DEGREE;
@@ -16,7 +16,7 @@ impl Material<f64> {
     /// rounding.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] if an entry is beyond the range.
+    /// [`Error::TooLarge`]; [`Error::NotFinite`] if an entry is beyond the range.
     ///
     /// # Examples
     /// ```
@@ -58,28 +58,24 @@ impl Material<f64> {
     }
 
     fn by_rules(&self, space: &SplineSpace<f64>, nodes: impl Fn(usize) -> usize) -> Result<LinearMap<f64>> {
-        let (p, n, t) = (space.degree(), space.dim(), space.knots());
+        let (p, t) = (space.degree(), space.knots());
         let orders = self.weights().iter().enumerate().take(p + 1).filter(|(_, weight)| **weight != 0.0);
         let rules: Vec<(usize, f64, Rule)> =
             orders.map(|(k, weight)| (k, *weight, Rule::new(nodes(k)))).collect();
-        let mut columns: Vec<Vec<(usize, f64)>> = vec![Vec::new(); n];
+        let mut bands = Bands::new(space)?;
         for k in space.spans() {
             let (start, length) = (t[k], t[k + 1] - t[k]);
-            let mut block = vec![0.0; (p + 1) * (p + 1)];
             for (order, weight, rule) in &rules {
                 for (node, share) in rule.nodes() {
                     let row: Functional<f64> = space.derivative_on(k, &(start + length * node), *order);
                     let scale = weight * length * share;
-                    for (entries, x) in block.chunks_exact_mut(p + 1).zip(row.weights()) {
+                    for (i, x) in row.weights().iter().enumerate() {
+                        let entries = &mut bands.row(k - p + i)[p - i..];
                         entries.iter_mut().zip(row.weights()).for_each(|(entry, y)| *entry += scale * x * y);
                     }
                 }
             }
-            for (i, entries) in block.chunks_exact(p + 1).enumerate() {
-                let column = entries.iter().enumerate().map(|(j, entry)| (space.slot(k - p + j), *entry));
-                columns[space.slot(k - p + i)].extend(column);
-            }
         }
-        gathered(columns)
+        bands.gathered()
     }
 }

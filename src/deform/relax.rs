@@ -20,7 +20,7 @@ use crate::space::SplineSpace;
 /// ```
 /// with the matrix of the material of the weights `τ w_k`, and one more for the value. Each step lowers the energy, however long
 /// it is: `E(c) - E(c') = dᵀ K d + (2 / τ) dᵀ K_0 d` with `d = c' - c`. What does not move any more has the least energy, and one
-/// step leaves at most `∫ |f - g|² / (2 τ)` of the energy of the difference `f - g` to it. Motions that cost nothing stay as they are.
+/// step leaves at most `∫ |f - g|² / (4 τ)` of the energy of the difference `f - g` to it. Motions that cost nothing stay as they are.
 ///
 /// # Examples
 /// ```

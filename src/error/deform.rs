@@ -68,6 +68,14 @@ pub enum DeformError {
         /// What they ask for.
         what: &'static str,
     },
+    /// Constraints are not met but for rounding.
+    #[error(
+        "constraints are missed by {open}: in floating point they are too close together to be told apart"
+    )]
+    Unmet {
+        /// By how much the constrained values are off.
+        open: String,
+    },
     /// Nothing is held that could be dragged.
     #[error("nothing is held: grab the shape first")]
     NothingHeld,
@@ -91,6 +99,7 @@ pub enum DeformError {
 fn null_space(order: Option<usize>) -> String {
     match order {
         None => "the material resists nothing".into(),
+        Some(0) => "beside the other weights the hardness is rounding; hold control points, or give more of it".into(),
         Some(1) => "the material lets constant functions pass, that is translations; hold a control point of each part, or give hardness".into(),
         Some(2) => "the material lets linear functions pass, with breaks where the spline is only continuous; hold two control points of each part, or give hardness".into(),
         Some(order) => format!(

@@ -148,7 +148,7 @@ proptest! {
         let Ok(wanted) = Constraints::on(&shape).isocurve(direction, &x) else { return Ok(()) };
         let Ok(held) = elastic.anchored(&wanted) else { return Ok(()) };
         let targets: Vec<_> = (0..held.rows().len()).map(|k| <NurbsSurface<Q, 2> as Body>::vector(&wish.numbers[k % 60..])).collect();
-        let mut met = shape.clone();
+        let mut met = shape;
         held.meet(&mut met, &targets)?;
         let found = met.isocurve(direction, &x)?;
         for (i, target) in targets.iter().enumerate() {

@@ -207,6 +207,15 @@ fn the_eight_weights_stand_where_the_paper_has_them() -> Result<()> {
     Ok(())
 }
 
+/// Rows and weights that are zero at the end make no other energy.
+#[test]
+fn equal_energies_are_equal() -> Result<()> {
+    let value = FullEnergy::new([[Q::int(1)]])?;
+    assert_eq!(FullEnergy::new([vec![Q::int(1), Q::int(0)], vec![], vec![Q::int(0)]])?, value);
+    assert_eq!(value.with_weight((2, 1), Q::int(3))?.with_weight((2, 1), Q::int(0))?, value);
+    Ok(())
+}
+
 #[test]
 fn isotropic_to_the_corner() -> Result<()> {
     // Of x² - y² bending is 8 on the unit square of area 1, of 2 x y it is 8 too: the same function, turned by 45 degrees.

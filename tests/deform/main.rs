@@ -7,6 +7,7 @@ mod strategies;
 #[allow(dead_code, reason = "the other laws use the rest")]
 mod rational_strategies;
 mod anchors;
+mod anchors_floats;
 mod body;
 mod forces;
 mod forces_floats;
