@@ -1,7 +1,7 @@
 //! Constraints that are met while the energy is least.
 
 use crate::coeff::Coeff;
-use crate::constrain::least::{Excess, dependencies};
+use crate::constrain::least::{Excess, dependencies, least_moves};
 use crate::constrain::sparse::SparseRow;
 use crate::deform::elastic::Elastic;
 use crate::deform::forces::Forces;
@@ -62,8 +62,8 @@ impl<T: Scalar> Elastic<T> {
     /// Which control points may move is a matter of the breadth of this body.
     ///
     /// # Errors
-    /// [`ShapeError::Dependent`] if a constraint follows from others, in floating point up to rounding, or has no control points
-    /// to move;
+    /// [`ShapeError::Dependent`] and [`ShapeError::Overdetermined`] if a constraint follows from others, in floating point up to
+    /// rounding, or has no control points to move;
     /// [`DeformError::Meaningless`] if the constraints hold or weigh control points or allow least squares;
     /// [`DeformError::OtherSpace`]; [`Error::NotFinite`] on overflow; [`Error::TooLarge`].
     pub fn anchored<S: Controlled<T>>(&self, constraints: &Constraints<'_, T, S>) -> Result<Anchored<T, S>> {
@@ -80,6 +80,10 @@ impl<T: Scalar> Elastic<T> {
         let wanted = constraints.wanted.clone();
         let free: Vec<SparseRow<T>> = wanted.iter().map(|wanted| wanted.row.without(|i| !moves[i])).collect();
         check_entries(free.len(), free.len())?;
+        if !T::EXACT && !free.is_empty() {
+            // The rows themselves tell dependence better than their compliance, which is a soft body's.
+            least_moves(&free, |_| T::one(), Excess::Refused)?;
+        }
         let mut compliance = vec![Vec::new(); free.len()];
         let zero = vec![T::zero(); moves.len()];
         for (i, row) in free.iter().enumerate() {
@@ -333,7 +337,6 @@ struct Compliance<T> {
 impl<T: Scalar> Compliance<T> {
     /// The factors of a matrix of which the lower half is given, row by row.
     fn new(matrix: Vec<Vec<T>>) -> Result<Self> {
-        let least = if T::EXACT { T::zero() } else { T::frac(1, 1 << 40) };
         let (mut lower, mut pivots): (Vec<Vec<T>>, Vec<T>) = (Vec::new(), Vec::new());
         for (condition, mut row) in matrix.into_iter().enumerate() {
             let own = row.pop().unwrap_or_else(T::zero);
@@ -347,7 +350,7 @@ impl<T: Scalar> Compliance<T> {
             }
             let shares: Vec<T> = row.iter().zip(&pivots).map(|(x, pivot)| x.clone() / pivot).collect();
             let pivot = own.clone() - T::dot(row.iter().zip(&shares));
-            let independent = pivot > own * &least;
+            let independent = pivot > T::zero();
             if !independent {
                 return Err(ShapeError::Dependent { condition, on: dependencies(&shares, &lower) }.into());
             }

@@ -13,7 +13,7 @@ pub enum DeformError {
         weight: String,
     },
     /// Some motions cost no energy: the material has a null space on the coefficients that may move.
-    #[error("{dimension} independent motions cost no energy: {}", null_space(*order))]
+    #[error("the null space has the dimension {dimension}: {}", null_space(*order))]
     NullSpace {
         /// The least order of a derivative that the material weighs; none if it weighs none.
         order: Option<usize>,
@@ -101,7 +101,7 @@ fn null_space(order: Option<usize>) -> String {
         None => "the material resists nothing".into(),
         Some(0) => "beside the other weights the hardness is rounding; hold control points, or give more of it".into(),
         Some(1) => "the material lets constant functions pass, that is translations; hold a control point of each part, or give hardness".into(),
-        Some(2) => "the material lets linear functions pass, with breaks where the spline is only continuous; hold two control points of each part, or give hardness".into(),
+        Some(2) => "the material lets linear functions pass, on a ring constants, with breaks where the spline is only continuous; hold two control points of each part, or give hardness".into(),
         Some(order) => format!(
             "the material lets polynomials below degree {order} pass on each smooth part; hold as many control points, or give hardness"
         ),

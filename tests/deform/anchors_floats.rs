@@ -3,7 +3,7 @@
 use nalgebra::vector;
 use symspline::{
     Anchored, Breadth, Constraints, DeformError, Elastic, Error, Function, Material, NurbsCurve, Result,
-    Spline, SplineSpace, Weighted,
+    ShapeError, Spline, SplineSpace, Weighted,
 };
 
 /// A wave on a ring or a chain of 3000 control points, and so many places from its start on.
@@ -99,5 +99,27 @@ fn forces_make_the_movement() -> Result<()> {
     }
     let moved = elastic.solved(&load)?;
     assert!(most(moved.iter().zip(f.coeffs()).map(|(x, y)| x - y)) < 1e-10);
+    Ok(())
+}
+
+/// On a long chain that bends hardly anything holds points of one span apart, and still four of them are independent and five are
+/// not.
+#[test]
+fn points_of_one_span_are_counted_on_long_chains() -> Result<()> {
+    for spans in [20, 2000, 20_000] {
+        let space = SplineSpace::uniform(3, spans, 0.0, 1.0)?;
+        let mut f = Function::constant(space, 1.0)?;
+        let places: Vec<f64> = (0..5).map(|i| 0.5 + (0.1 + 0.2 * f64::from(i)) / spans as f64).collect();
+        let held = anchored(&f, [0.0, 0.0, 1.0], &places[..4])?;
+        if held.meet(&mut f, &[1.0, 1.25, 1.5, 1.0]).is_ok() {
+            assert!((f.at(&places[2])? - 1.5).abs() < 1e-6, "{spans}");
+        }
+        let five = anchored(&f, [0.0, 0.0, 1.0], &places).map(|_| ()).unwrap_err();
+        let named = matches!(
+            five,
+            Error::Shape(ShapeError::Dependent { condition: 4, .. } | ShapeError::Overdetermined { .. })
+        );
+        assert!(named, "{spans}: {five}");
+    }
     Ok(())
 }
