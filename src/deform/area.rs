@@ -2,8 +2,8 @@
 
 use crate::analysis::crossings::Crossings;
 use crate::analysis::zeros::Zero;
+use crate::error::Result;
 use crate::error::deform::DeformError;
-use crate::error::{Error, Result};
 use crate::rational::spline::NurbsCurve;
 use crate::scalar::Scalar;
 use crate::shape::controlled::Controlled;
@@ -31,13 +31,15 @@ pub trait Area<T> {
     /// The lowest and the highest corner of a box around the area.
     ///
     /// # Errors
-    /// [`DeformError::NoSamples`] for an area without bounds; [`Error::NotFinite`].
+    /// [`DeformError::NoSamples`] for an area without bounds; [`Error::NotFinite`](crate::Error::NotFinite).
     fn bounds(&self) -> Result<[(T, T); 2]>;
 
     /// Which of the points `(u, v)` are in the area, for each `u` of a list.
     ///
+    /// Of points on a curve that bounds the area nothing is promised. A call looks at the whole curve once.
+    ///
     /// # Errors
-    /// [`DeformError::OpenBoundary`] for a curve that is not closed; those of [`Crossings::crossings`].
+    /// [`DeformError::OpenBoundary`] for a curve that is not closed, but for rounding; those of [`Crossings::crossings`].
     fn inside(&self, us: &[T], v: &T) -> Result<Vec<bool>>;
 }
 
@@ -70,6 +72,9 @@ impl<T: Scalar, A: Area<T>> Area<T> for [A] {
     }
 }
 
+/// By how much of its size a closed curve may miss itself.
+const ROUNDING: f64 = 64.0 * f64::EPSILON;
+
 /// What of a row is inside the curve is told by where it crosses the row, each place proved.
 macro_rules! bounded_by_curves {
     ($($curve:ident)*) => {$(
@@ -81,20 +86,21 @@ macro_rules! bounded_by_curves {
             }
 
             fn inside(&self, us: &[f64], v: &f64) -> Result<Vec<bool>> {
-                let space = self.space();
-                let end = *space.domain().1;
-                let open = |at: f64| Error::from(DeformError::OpenBoundary { parameter: at.to_string() });
+                let (space, size) = (self.space(), extent(&self.control_points()?));
+                let (start, end) = space.domain();
                 for (knot, copies) in space.breaks() {
-                    let inner = knot != end && (space.is_periodic() || knot != *space.domain().0);
-                    let left = if knot == *space.domain().0 { end } else { knot };
-                    if inner && copies > space.degree() && self.at(&knot)? != self.at_left(&left)? {
-                        return Err(open(knot));
+                    let jumps = copies > space.degree();
+                    let left = match knot == *start {
+                        true if jumps || !space.is_periodic() => *end,
+                        false if jumps && knot != *end => knot,
+                        _ => continue,
+                    };
+                    if extent(&[self.at(&knot)? - self.at_left(&left)?]) > size * ROUNDING {
+                        return Err(DeformError::OpenBoundary { parameter: left.to_string() }.into());
                     }
                 }
-                if !space.is_periodic() && self.at(space.domain().0)? != self.at_left(&end)? {
-                    return Err(open(end));
-                }
-                let crossed = crossed(&self.crossings(&vector![0.0, 1.0], v)?, |t| Ok(self.at(&t)?[0]))?;
+                let zeros = self.crossings(&vector![0.0, 1.0], v)?;
+                let crossed = crossed(&zeros, start, |t| Ok(self.at(t)?[0]))?;
                 let beyond = |u: &f64| crossed.len() - crossed.partition_point(|x| x <= u);
                 Ok(us.iter().map(|u| beyond(u) % 2 == 1).collect())
             }
@@ -104,19 +110,20 @@ macro_rules! bounded_by_curves {
 
 bounded_by_curves!(Curve NurbsCurve);
 
-/// Where a closed curve passes from one side of a row to the other, ascending.
-fn crossed(zeros: &[Zero<f64>], coordinate: impl Fn(f64) -> Result<f64>) -> Result<Vec<f64>> {
-    // What begins on the row without a side before has the side at the end.
-    let last = zeros.last().filter(|zero| zero.after.is_none()).and_then(|zero| zero.before);
-    let changes = |zero: &&Zero<f64>| match (zero.before.or(last), zero.after) {
-        (Some(before), Some(after)) => before != after,
-        _ => false,
-    };
+/// Where a curve that is closed at `seam` passes from one side of a row to the other, ascending.
+fn crossed(zeros: &[Zero<f64>], seam: &f64, coordinate: impl Fn(&f64) -> Result<f64>) -> Result<Vec<f64>> {
     let place = |zero: &Zero<f64>| {
         let (low, high) = zero.place.bounds();
-        coordinate(low / 2.0 + high / 2.0)
+        coordinate(&(low / 2.0 + high / 2.0))
     };
-    let mut places = zeros.iter().filter(changes).map(place).collect::<Result<Vec<f64>>>()?;
+    let changes = zeros.iter().filter(|zero| zero.changes_sign());
+    let mut places = changes.map(place).collect::<Result<Vec<f64>>>()?;
+    // The ends may lie on both sides of the row, and be on it or not: rounding tells.
+    let first = zeros.first().and_then(|zero| zero.before.or(zero.after));
+    let last = zeros.last().and_then(|zero| zero.after.or(zero.before));
+    if first != last {
+        places.push(coordinate(seam)?);
+    }
     places.sort_by(f64::total_cmp);
     Ok(places)
 }

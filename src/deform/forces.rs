@@ -53,9 +53,9 @@ impl<'a, T: Scalar, S: Controlled<T>> Forces<'a, T, S> {
     /// A force at a place.
     ///
     /// # Errors
-    /// [`Error::OutsideDomain`]; [`Error::Ragged`] for a row of another length than the control points.
+    /// [`Error::OutsideDomain`]; [`Error::NotFinite`]; [`Error::Ragged`] for a row of another length than the control points.
     pub fn at(&mut self, at: &S::Parameter, force: S::Point) -> Result<&mut Self> {
-        check_pair(&self.zero, &force)?;
+        self.check_force(0, &force)?;
         let load = self.elastic.load_at(|direction| S::coordinate(at, direction))?;
         self.single.push((load, force));
         Ok(self)
@@ -66,7 +66,7 @@ impl<'a, T: Scalar, S: Controlled<T>> Forces<'a, T, S> {
     ///
     /// # Errors
     /// [`Error::CoefficientCount`] unless there is one for each break, or each crossing of breaks; of a ring the end does not
-    /// count. [`Error::Ragged`].
+    /// count. [`Error::Ragged`]; [`Error::NotFinite`].
     ///
     /// # Examples
     /// ```
@@ -88,16 +88,12 @@ impl<'a, T: Scalar, S: Controlled<T>> Forces<'a, T, S> {
     /// # Errors
     /// [`Error::NotFinite`] on overflow.
     pub fn load(&self) -> Result<Vec<S::Point>> {
-        let counts: Vec<usize> = self.elastic.stiffnesses().iter().map(|along| along.space().dim()).collect();
-        let mut total =
-            self.spread.clone().unwrap_or_else(|| vec![self.zero.clone(); counts.iter().product()]);
+        let mut total = self.spread.clone().unwrap_or_else(|| self.no_load());
         for (load, force) in &self.single {
             self.each_of(load, |i, weight| total[i].add_scaled(weight, force));
         }
-        match total.iter().position(|load| !load.all_finite()) {
-            Some(index) => Err(Error::NotFinite { what: "load", index }),
-            None => Ok(total),
-        }
+        check_loads(&total)?;
+        Ok(total)
     }
 
     /// The displacements of the control points, with their places in the list.
@@ -117,7 +113,10 @@ impl<'a, T: Scalar, S: Controlled<T>> Forces<'a, T, S> {
             }
             sum.iter_mut().zip(&response).for_each(|((_, d), (_, v))| d.add_scaled(v, force));
         }
-        Ok(sum)
+        match sum.iter().find(|(_, d)| !d.all_finite()) {
+            Some((index, _)) => Err(Error::NotFinite { what: "displacement", index: *index }),
+            None => Ok(sum),
+        }
     }
 
     /// Adds these forces to those on `shape`. On an error it stays as it is.
@@ -129,12 +128,26 @@ impl<'a, T: Scalar, S: Controlled<T>> Forces<'a, T, S> {
         shape.move_points(&self.displacements()?)
     }
 
-    /// Adds loads of all control points.
-    pub(crate) fn add_load(&mut self, load: Vec<S::Point>) {
+    /// A load of zero for each control point.
+    pub(crate) fn no_load(&self) -> Vec<S::Point> {
+        let dims = self.elastic.stiffnesses().iter().map(|along| along.space().dim());
+        vec![self.zero.clone(); dims.product()]
+    }
+
+    /// Adds loads of all control points unless one is not finite.
+    pub(crate) fn add_load(&mut self, load: Vec<S::Point>) -> Result<&mut Self> {
+        check_loads(&load)?;
         match &mut self.spread {
             Some(total) => total.iter_mut().zip(&load).for_each(|(sum, x)| sum.add_scaled(&T::one(), x)),
             None => self.spread = Some(load),
         }
+        Ok(self)
+    }
+
+    /// Refuses forces that are not finite, or rows of another length than the control points.
+    pub(crate) fn check_force(&self, index: usize, force: &S::Point) -> Result<()> {
+        check_pair(&self.zero, force)?;
+        if force.all_finite() { Ok(()) } else { Err(Error::NotFinite { what: "force", index }) }
     }
 
     /// Adds the loads that one map a direction makes of forces, row by row.
@@ -143,7 +156,7 @@ impl<'a, T: Scalar, S: Controlled<T>> Forces<'a, T, S> {
         if forces.len() != expected {
             return Err(Error::CoefficientCount { expected, found: forces.len() });
         }
-        forces.iter().try_for_each(|force| check_pair(&self.zero, force))?;
+        forces.iter().enumerate().try_for_each(|(index, force)| self.check_force(index, force))?;
         let load = match maps {
             [u, v] => {
                 let rows: Vec<Row<S::Point>> = forces
@@ -154,8 +167,7 @@ impl<'a, T: Scalar, S: Controlled<T>> Forces<'a, T, S> {
             }
             _ => maps[0].apply(forces)?,
         };
-        self.add_load(load);
-        Ok(self)
+        self.add_load(load)
     }
 
     /// The weights of one load, with the places of control points in the list.
@@ -172,6 +184,13 @@ impl<'a, T: Scalar, S: Controlled<T>> Forces<'a, T, S> {
         for (i, x) in along(0) {
             along(1).for_each(|(j, y)| each(i * columns + j, &(x.clone() * y)));
         }
+    }
+}
+
+fn check_loads<T: Scalar, C: Coeff<T>>(loads: &[C]) -> Result<()> {
+    match loads.iter().position(|load| !load.all_finite()) {
+        Some(index) => Err(Error::NotFinite { what: "load", index }),
+        None => Ok(()),
     }
 }
 

@@ -9,8 +9,9 @@
 //! of the integral, no end counts half and no seam twice. All samples go into one grid of loads, answered by one solution.
 
 use crate::analysis::length::gauss::Rule;
-use crate::coeff::{Coeff, check_pair};
+use crate::coeff::Coeff;
 use crate::deform::forces::Forces;
+use crate::deform::stiffness::Stiffness;
 use crate::error::deform::DeformError;
 use crate::error::{Error, Result};
 use crate::limits::check_samples;
@@ -52,34 +53,13 @@ impl<T: Scalar, S: Controlled<T>> Forces<'_, T, S> {
     ) -> Result<&mut Self> {
         let mut total = self.no_load();
         for (index, place) in forces.into_iter().enumerate() {
-            check_samples(index)?;
+            check_samples(index + 1)?;
             let (at, force) = place?;
             self.check_force(index, &force)?;
             let load = self.elastic.load_at(|direction| S::coordinate(&at, direction))?;
             self.each_of(&load, |i, weight| total[i].add_scaled(weight, &force));
         }
-        self.add_finite(total)
-    }
-
-    /// A load of zero for each control point.
-    pub(crate) fn no_load(&self) -> Vec<S::Point> {
-        let dims = self.elastic.stiffnesses().iter().map(|along| along.space().dim());
-        vec![self.zero.clone(); dims.product()]
-    }
-
-    /// Adds loads of all control points unless one is not finite.
-    pub(crate) fn add_finite(&mut self, load: Vec<S::Point>) -> Result<&mut Self> {
-        if let Some(index) = load.iter().position(|load| !load.all_finite()) {
-            return Err(Error::NotFinite { what: "load", index });
-        }
-        self.add_load(load);
-        Ok(self)
-    }
-
-    /// Refuses forces that are not finite, or rows of another length than the control points.
-    pub(crate) fn check_force(&self, index: usize, force: &S::Point) -> Result<()> {
-        check_pair(&self.zero, force)?;
-        if force.all_finite() { Ok(()) } else { Err(Error::NotFinite { what: "force", index }) }
+        self.add_load(total)
     }
 }
 
@@ -137,18 +117,28 @@ impl<T: Scalar, S: Controlled<T, Parameter = (T, T)>> Forces<'_, T, S> {
         }
         let (a, b) = path.domain();
         let step = (b.clone() - a) / T::int(samples as i64);
-        let elastic = self.elastic;
+        let on_surface = |(direction, along): (usize, &Stiffness<T>)| {
+            let (start, end) = along.space().domain();
+            let inside = path.coeffs().iter().all(|c| *start <= c[direction] && c[direction] <= *end);
+            (start.clone(), end.clone(), inside)
+        };
+        let sides: Vec<(T, T, bool)> =
+            self.elastic.stiffnesses().iter().enumerate().map(on_surface).collect();
         let mut span = 0;
         let sample = |t: T| {
-            let [u, v]: [T; 2] = path.at_near(&t, &mut span)?.into();
-            for (x, along) in [&u, &v].into_iter().zip(elastic.stiffnesses()) {
-                let (start, end) = along.space().domain();
-                if !(x >= start && x <= end) {
-                    let [value, parameter, start, end] = [x, &t, start, end].map(T::to_string);
+            let mut at: [T; 2] = path.at_near(&t, &mut span)?.into();
+            for (x, (start, end, inside)) in at.iter_mut().zip(&sides) {
+                if *start <= *x && *x <= *end {
+                    continue;
+                }
+                if !*inside {
+                    let [value, parameter, start, end] = [&*x, &t, start, end].map(T::to_string);
                     return Err(Error::LeavesDomain { value, parameter, start, end });
                 }
+                // A mean of control points is not outside: it was rounded.
+                *x = if *x < *start { start.clone() } else { end.clone() };
             }
-            let at = (u, v);
+            let at = at.into();
             let mut force = force(&t, &at)?;
             force.scale(&step);
             Ok((at, force))

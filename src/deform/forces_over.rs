@@ -46,11 +46,10 @@ impl<T: Scalar> Cells<T> {
             Self::Spacing(spacing) if *spacing > T::zero() && spacing.is_finite() => {
                 let fit = |from: &T, to: &T| {
                     let length = to.clone() - from;
-                    let counts: Vec<usize> = (0..=MAX_SAMPLES.ilog2()).map(|bit| 1 << bit).collect();
                     // The greatest number of cells that leaves some of the length, bit by bit.
-                    let below = counts.iter().rev().fold(0, |sum, bit| {
-                        let more = spacing.clone() * T::int((sum + bit) as i64) < length;
-                        if more { sum + bit } else { sum }
+                    let below = (0..=MAX_SAMPLES.ilog2()).rev().fold(0, |sum, bit| {
+                        let more = sum + (1 << bit);
+                        if spacing.clone() * T::int(more as i64) < length { more } else { sum }
                     });
                     below + 1
                 };
@@ -69,7 +68,8 @@ impl<T: Scalar, S: Controlled<T, Parameter = (T, T)>> Forces<'_, T, S> {
     /// A force over an area of the parameter plane, per unit of it: any function of the place `(u, v)`.
     ///
     /// The cells fill the box around the area, so a rectangle is filled exactly; at other boundaries the force is off by parts of
-    /// cells. On an error nothing is added.
+    /// cells. On an error nothing is added. A row of cells asks the area once, so with a curve around it many short rows take longer
+    /// than few long ones.
     ///
     /// # Errors
     /// [`DeformError::NoSamples`] if no middle of a cell is in the area; [`Error::OutsideDomain`] if one is that is not on the
@@ -136,7 +136,7 @@ impl<T: Scalar, S: Controlled<T, Parameter = (T, T)>> Forces<'_, T, S> {
         }
         match samples {
             0 => Err(DeformError::NoSamples.into()),
-            _ => self.add_finite(total),
+            _ => self.add_load(total),
         }
     }
 }

@@ -88,7 +88,7 @@ pub(crate) fn coeffs_within<T: Scalar>(space: &SplineSpace<T>, at: &T, distance:
 /// side.
 ///
 /// # Errors
-/// [`Error::OutsideDomain`]; [`Error::EmptyDomain`] unless the distance is positive and finite; those of
+/// [`Error::OutsideDomain`]; [`Error::EmptyDomain`] unless the distance is positive and finite, and in floating point no rounding; those of
 /// [`Refinement::knots`] and [`SplineSpace::refined`].
 pub(crate) fn knots_within<T: Scalar>(
     space: &SplineSpace<T>,
@@ -103,7 +103,7 @@ pub(crate) fn knots_within<T: Scalar>(
         return Err(Error::EmptyDomain { start: from.to_string(), end: to.to_string() });
     }
     let length = space.length();
-    let parts = if (from >= *start && to <= *end) || !space.is_periodic() {
+    let mut parts = if (from >= *start && to <= *end) || !space.is_periodic() {
         let inner = |x: T| {
             if x < *start {
                 start.clone()
@@ -121,6 +121,11 @@ pub(crate) fn knots_within<T: Scalar>(
     } else {
         vec![(start.clone(), to - &length), (from, end.clone())]
     };
+    // Rounding may leave nothing on one side of the seam, or of the end.
+    parts.retain(|(from, to)| from < to);
+    if parts.is_empty() {
+        return Err(Error::EmptyDomain { start: at.to_string(), end: at.to_string() });
+    }
     if coeffs_within(space, at, distance)?.len() >= count {
         return Ok(Vec::new());
     }
@@ -128,11 +133,8 @@ pub(crate) fn knots_within<T: Scalar>(
     loop {
         let mut knots = Vec::new();
         for (k, (from, to)) in parts.iter().enumerate() {
-            // Rounding may leave nothing on one side of the seam.
-            if from < to {
-                let share = Refinement::Count((asked + k) / parts.len());
-                knots.extend(share.knots(space, from, to)?);
-            }
+            let share = Refinement::Count((asked + k) / parts.len());
+            knots.extend(share.knots(space, from, to)?);
         }
         let found = coeffs_within(&space.refined(&knots)?, at, distance)?.len();
         if found >= count {

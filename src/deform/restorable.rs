@@ -1,7 +1,8 @@
 //! Shapes whose control points can be put back as they were.
 
 use crate::coeff::Coeff;
-use crate::error::Result;
+use crate::error::deform::DeformError;
+use crate::error::{Error, Result};
 use crate::rational::domain::Domain;
 use crate::rational::spline::Rational;
 use crate::scalar::Scalar;
@@ -23,17 +24,16 @@ pub trait Restorable<T: Scalar>: Controlled<T> {
     /// One that was moved by a vector of the same shape.
     fn moved(stored: &Self::Stored, by: &Self::Point) -> Self::Stored;
 
-    /// Puts control points, with weights as they were, in the place of others. On an error nothing has changed.
+    /// Puts control points, with weights as they are, in the place of others. On an error nothing has changed.
     ///
     /// # Errors
-    /// [`Error::IndexOutOfRange`](crate::Error::IndexOutOfRange), [`Error::NotFinite`](crate::Error::NotFinite),
-    /// [`Error::Ragged`](crate::Error::Ragged).
+    /// [`Error::IndexOutOfRange`], [`Error::NotFinite`], [`Error::Ragged`]; [`DeformError::OtherWeight`].
     fn put(&mut self, stored: Vec<(usize, Self::Stored)>) -> Result<()>;
 
     /// The shape over `spaces`, one for each direction, with these control points.
     ///
     /// # Errors
-    /// [`Error::CoefficientCount`](crate::Error::CoefficientCount); those of the constructors.
+    /// [`Error::CoefficientCount`], also unless there is a space for each direction; those of the constructors.
     fn rebuilt(spaces: &[SplineSpace<T>], stored: Vec<Self::Stored>) -> Result<Self>;
 }
 
@@ -53,7 +53,10 @@ impl<T: Scalar, C: Coeff<T>> Restorable<T> for Spline<T, C> {
     }
 
     fn rebuilt(spaces: &[SplineSpace<T>], stored: Vec<C>) -> Result<Self> {
-        Self::new(spaces[0].clone(), stored)
+        let [space] = spaces else {
+            return Err(Error::CoefficientCount { expected: 1, found: spaces.len() });
+        };
+        Self::new(space.clone(), stored)
     }
 }
 
@@ -73,7 +76,8 @@ impl<T: Scalar, C: Coeff<T>> Restorable<T> for TensorSpline<T, C> {
     }
 
     fn rebuilt(spaces: &[SplineSpace<T>], stored: Vec<C>) -> Result<Self> {
-        Self::new(spaces[0].clone(), spaces[1].clone(), stored)
+        let [u, v] = spaces else { return Err(Error::CoefficientCount { expected: 2, found: spaces.len() }) };
+        Self::new(u.clone(), v.clone(), stored)
     }
 }
 
@@ -92,10 +96,16 @@ where
     }
 
     fn put(&mut self, stored: Vec<(usize, Weighted<T, C>)>) -> Result<()> {
+        let own = self.stored();
+        let is_other =
+            |(i, new): &&(usize, Weighted<T, C>)| own.get(*i).is_some_and(|c| c.weight != new.weight);
+        if let Some((index, Weighted { weight, .. })) = stored.iter().find(is_other) {
+            return Err(DeformError::OtherWeight { point: *index, weight: weight.to_string() }.into());
+        }
         self.replace_points(stored)
     }
 
     fn rebuilt(spaces: &[SplineSpace<T>], stored: Vec<Weighted<T, C>>) -> Result<Self> {
-        Self::known(D::Spline::<Weighted<T, C>>::rebuilt(spaces, stored)?)
+        Self::from_lifted(D::Spline::<Weighted<T, C>>::rebuilt(spaces, stored)?)
     }
 }

@@ -85,6 +85,14 @@ pub enum DeformError {
         /// Along which parameter.
         direction: String,
     },
+    /// Control points of a rational shape are put back with another weight than they have.
+    #[error("control point {point} has another weight than {weight}")]
+    OtherWeight {
+        /// The control point, as its place in the list.
+        point: usize,
+        /// The weight that was given.
+        weight: String,
+    },
     /// Forces are spread over a curve or an area without a single sample on it.
     #[error("no sample lies on the curve or in the area")]
     NoSamples,

@@ -1,6 +1,7 @@
 //! Forces along curves and over areas in floats: what samples converge to, and areas bounded by curves.
 
 use nalgebra::{SVector, vector};
+use symspline::limits::MAX_SAMPLES;
 use symspline::{
     Area, Breadth, Cells, Curve, DeformError, Elastic, Error, Forces, Function, Material, Polygons,
     SplineSpace, Spread, TensorSpline, circle, segment,
@@ -172,5 +173,66 @@ fn impossible_areas_are_refused() -> symspline::Result<()> {
     let tiny = circle(&vector![0.5, 0.5], &1e-300)?;
     forces.over(&tiny, &Cells::Counts(4, 4), |_| Ok(1.0)).map(|_| ()).ok();
     assert!(forces.load()?.iter().all(|load| load.is_finite()));
+    Ok(())
+}
+
+/// A ring that is cut open meets itself but for rounding, and rows through its seam lose no crossing.
+#[test]
+fn rows_through_the_seam_of_a_closed_curve_are_filled_alike() -> symspline::Result<()> {
+    let us: Vec<f64> = (0..41).map(|i| f64::from(i) * 0.025 + 0.0003).collect();
+    for case in 0..400 {
+        let radius = |i: usize| 0.2 + 0.2 * ((7 * case + 3 * i * i) as f64).sin().abs();
+        let angle = |i: usize| std::f64::consts::TAU * i as f64 / 7.0;
+        let points =
+            (0..7).map(|i| vector![0.5 + radius(i) * angle(i).cos(), 0.5 + radius(i) * angle(i).sin()]);
+        let space = SplineSpace::uniform_periodic(2 + case % 3, 7, 0.0, 1.0)?;
+        let ring = Curve::new(space, points.collect())?;
+        let seam = ring.at(&0.0)?;
+        let off_seam = |u: &f64| (u - seam[0]).abs() > 1e-3;
+        for open in [ring.clamped_ends()?, ring.unclamped_ends()?] {
+            for v in [0.0, 1e-17, 6e-17, -6e-17, 1.2e-16, -1.2e-16].map(|by| seam[1] + by) {
+                let (whole, cut) = (ring.inside(&us, &v)?, open.inside(&us, &v)?);
+                let differs = |i: &usize| off_seam(&us[*i]) && whole[*i] != cut[*i];
+                assert_eq!((0..us.len()).find(differs), None, "{case} {v}");
+            }
+        }
+    }
+    Ok(())
+}
+
+/// A path along the border is on the surface, however its points are rounded.
+#[test]
+fn paths_along_the_border_do_not_leave() -> symspline::Result<()> {
+    let (plane, elastic) = plane(4)?;
+    let points = [0.3, 1.0, 0.1, 0.8, 0.2].map(|u| vector![u, 1.0]);
+    let path = Curve::new(SplineSpace::clamped(3, [0.0, 0.4, 1.0])?, points.to_vec())?;
+    let line = Function::monomial(1, 0.0, 1.0)?;
+    let (mut sampled, mut exact) = (Forces::new(&elastic, &plane)?, Forces::new(&elastic, &plane)?);
+    let sampled = sampled.along(&path, &line, 20_000)?.load()?;
+    for (x, y) in exact.along_exactly(&path, &line)?.load()?.iter().zip(&sampled) {
+        assert!((x - y).abs() < 1e-9);
+    }
+    Ok(())
+}
+
+#[test]
+fn forces_are_finite_and_not_too_many() -> symspline::Result<()> {
+    let rod = Function::constant(SplineSpace::uniform(1, 2, 0.0, 1.0)?, 0.0)?;
+    let elastic = Elastic::of(&rod, &Material::new(1e-3, 0.0)?, &[Breadth::BetweenEnds(1)])?;
+    let mut forces = Forces::new(&elastic, &rod)?;
+    for wrong in [f64::NAN, f64::INFINITY] {
+        let refused = [
+            forces.at(&0.5, wrong).err(),
+            forces.at_breaks(&[0.0, wrong, 0.0]).err(),
+            forces.at_all([(0.5, wrong)]).err(),
+        ];
+        assert!(refused.iter().all(|error| matches!(error, Some(Error::NotFinite { .. }))), "{refused:?}");
+    }
+    assert!(forces.at_all(std::iter::repeat_n((0.5, 1.0), MAX_SAMPLES + 1)).is_err());
+    assert_eq!(forces.load()?, [0.0; 3]);
+    forces.at(&0.5, 1e308)?;
+    assert!(matches!(forces.displacements(), Err(Error::NotFinite { .. })));
+    let mut pushed = rod.clone();
+    assert!(forces.push(&mut pushed).is_err() && pushed == rod);
     Ok(())
 }

@@ -1,9 +1,9 @@
 //! What is refused, and how.
 
-use nalgebra::vector;
+use nalgebra::{SVector, vector};
 use symspline::{
-    Breadth, Constraints, Curve, DeformError, Elastic, Error, Excess, Forces, Function, Material, Result,
-    SplineSpace, Stiffness,
+    Breadth, Constraints, Curve, DeformError, Elastic, Error, Excess, Forces, Function, Interval, Material,
+    Q, Rational, Restorable, Result, Scalar, Sculptor, SplineSpace, Stiffness, TensorSpline, Weighted,
 };
 
 fn deform(error: Error) -> DeformError {
@@ -107,13 +107,10 @@ fn shapes_and_forces_are_checked() -> Result<()> {
             assert_eq!(curve, before);
         }
     }
-    let mut curve = before.clone();
-    let mut forces = Forces::new(&elastic, &curve)?;
+    let mut forces = Forces::new(&elastic, &before)?;
     assert!(forces.at(&2.0, vector![0.0, 0.0]).is_err());
     assert!(matches!(forces.at_breaks(&[]), Err(Error::CoefficientCount { expected: 5, found: 0 })));
-    forces.at(&0.5, vector![f64::NAN, 0.0])?;
-    assert!(forces.push(&mut curve).is_err());
-    assert_eq!(curve, before);
+    assert!(matches!(forces.at(&0.5, vector![f64::NAN, 0.0]), Err(Error::NotFinite { .. })));
     let held = |constraints: &Constraints<'_, f64, Curve<f64, 2>>| {
         deform(elastic.anchored(constraints).unwrap_err())
     };
@@ -147,4 +144,40 @@ fn extreme_sizes_are_numbers_or_errors() -> Result<()> {
         }
     }
     Ok(())
+}
+
+/// What is left of an interval by rounding is nothing, or too little for knots: no endless search for room.
+#[test]
+fn no_room_is_made_where_floats_have_none() {
+    for space in [SplineSpace::uniform(3, 5, 1.0, 2.0), SplineSpace::uniform_periodic(3, 8, 1.0, 2.0)] {
+        let rod = Function::constant(space.unwrap(), 0.0).unwrap();
+        let mut sculptor = Sculptor::new(rod, Material::new(1.0, 1.0).unwrap());
+        for (at, distance) in [(1.0, 1e-16), (2.0, 1.5e-16), (1.5, 1e-16), (1.0, 1e-300), (2.0, 2.3e-16)] {
+            let refused = sculptor.refine(&at, &[distance], &[5]).unwrap_err();
+            assert!(
+                matches!(refused, Error::EmptyDomain { .. } | Error::SpanOutOfRange { .. }),
+                "{refused:?}"
+            );
+        }
+    }
+}
+
+/// Control points that are put back bring no other weights, and no other number of directions.
+#[test]
+fn denominators_stay_positive() {
+    type Arc = Rational<Interval, Q, SVector<Q, 1>>;
+    let (space, one) = (SplineSpace::bezier(1, Q::int(0), Q::int(1)).unwrap(), Q::int(1));
+    let points = [0, 1].map(|x| vector![Q::int(x)]).to_vec();
+    let mut arc = Arc::new(space.clone(), points, vec![one.clone(), one]).unwrap();
+    let before = arc.clone();
+    let negative = Weighted { point: vector![Q::int(1)], weight: Q::int(-1) };
+    let refused = arc.put(vec![(0, negative.clone())]).unwrap_err();
+    assert!(matches!(refused, Error::Deform(DeformError::OtherWeight { point: 0, .. })));
+    assert_eq!(arc, before);
+    let mut mixed = arc.stored().to_vec();
+    mixed[0] = negative;
+    assert_eq!(Arc::rebuilt(std::slice::from_ref(&space), mixed), Err(Error::Pole));
+    let numbers = || [0, 1].map(Q::int).to_vec();
+    assert!(matches!(Function::rebuilt(&[], numbers()), Err(Error::CoefficientCount { .. })));
+    assert!(matches!(TensorSpline::rebuilt(&[space], numbers()), Err(Error::CoefficientCount { .. })));
 }
