@@ -120,10 +120,10 @@ impl<T: Scalar> Elastic<T> {
     /// use symspline::{Breadth, Elastic, Function, Material, Q, Scalar, SplineSpace};
     /// let f = Function::new(SplineSpace::clamped(1, [0, 1, 2].map(Q::int))?, [0, 3, 0].map(Q::int).to_vec())?;
     /// let elastic = Elastic::of(&f, &Material::new(Q::int(1), Q::int(0))?, &[Breadth::BetweenEnds(1)])?;
-    /// assert_eq!(elastic.loads(f.coeffs())?, [-3, 6, -3].map(Q::int));
+    /// assert_eq!(elastic.gradient(f.coeffs())?, [-3, 6, -3].map(Q::int));
     /// # Ok::<(), symspline::Error>(())
     /// ```
-    pub fn loads<C: Coeff<T>>(&self, coeffs: &[C]) -> Result<Vec<C>> {
+    pub fn gradient<C: Coeff<T>>(&self, coeffs: &[C]) -> Result<Vec<C>> {
         let [u, v] = self.stiffnesses() else {
             let along = &self.stiffnesses()[0];
             return along.material().gradient(along.space(), coeffs);
@@ -257,7 +257,7 @@ impl<T: Scalar, S: Controlled<T>> Anchored<T, S> {
         let mut forces: Vec<S::Point> = Vec::new();
         // Over floats a second time, for what rounding of a large load left behind.
         for _ in 0..if T::EXACT { 1 } else { 2 } {
-            let mut load = self.elastic.loads(&relaxed.control_points()?)?;
+            let mut load = self.elastic.gradient(&relaxed.control_points()?)?;
             load.iter_mut().for_each(|c| c.scale(&-T::one()));
             let zero = load[0].zero_like();
             forces = self.displace(&mut relaxed, load, &vec![zero; self.wanted.len()])?;

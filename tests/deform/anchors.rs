@@ -57,7 +57,7 @@ fn is_anchored<S: Body>(shape: &S, wish: &Wish, count: usize) -> Result<(), Test
     let forces = held.meet(&mut met, &targets)?;
     prop_assert_eq!(&values(&met)?, &targets);
     prop_assert!(stays(&met, shape)?);
-    balances(&elastic, &held, &elastic.loads(&met.moved_from(shape)?)?, &forces)?;
+    balances(&elastic, &held, &elastic.gradient(&met.moved_from(shape)?)?, &forces)?;
     // Forces act, and what is held stays.
     let mut acting = Forces::new(&elastic, &met)?;
     acting.at(&met.place(&wish.places[3]), S::vector(&wish.numbers[20..]))?;
@@ -65,7 +65,7 @@ fn is_anchored<S: Body>(shape: &S, wish: &Wish, count: usize) -> Result<(), Test
     let reaction = held.push(&mut pushed, &acting)?;
     prop_assert_eq!(&values(&pushed)?, &targets);
     prop_assert!(stays(&pushed, &met)?);
-    let mut loads = elastic.loads(&pushed.moved_from(&met)?)?;
+    let mut loads = elastic.gradient(&pushed.moved_from(&met)?)?;
     loads.iter_mut().zip(acting.load()?).for_each(|(sum, load)| sum.add_scaled(&-Q::int(1), &load));
     balances(&elastic, &held, &loads, &reaction)?;
     // Without them: of all shapes with these values the one of least energy.
@@ -73,9 +73,9 @@ fn is_anchored<S: Body>(shape: &S, wish: &Wish, count: usize) -> Result<(), Test
     let forces = held.relax(&mut relaxed)?;
     prop_assert_eq!(&values(&relaxed)?, &targets);
     prop_assert!(stays(&relaxed, &pushed)?);
-    balances(&elastic, &held, &elastic.loads(&relaxed.control_points()?)?, &forces)?;
+    balances(&elastic, &held, &elastic.gradient(&relaxed.control_points()?)?, &forces)?;
     let energy = |shape: &S| -> Result<Q, Error> {
-        let (points, loads) = (shape.control_points()?, elastic.loads(&shape.control_points()?)?);
+        let (points, loads) = (shape.control_points()?, elastic.gradient(&shape.control_points()?)?);
         Ok(points
             .iter()
             .zip(&loads)

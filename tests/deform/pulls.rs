@@ -23,7 +23,7 @@ fn is_pulled<S: Body>(shape: &S, wish: &Wish, spread: Spread) -> Result<(), Test
     let force = pull.move_to(&mut moved, &target)?;
     prop_assert_eq!(moved.derivative_of(&at, S::VALUE)?, target);
     let displaced = moved.moved_from(shape)?;
-    let loads = elastic.loads(&displaced)?;
+    let loads = elastic.gradient(&displaced)?;
     let moves = moving(&elastic);
     for (i, moves) in moves.iter().enumerate() {
         if !moves {
@@ -70,7 +70,7 @@ fn is_least<S: Body>(shape: &S, wish: &Wish) -> Result<(), TestCaseError> {
     for (i, by) in pull.response().moves(&[Q::int(1)])? {
         ours[i] = by;
     }
-    let loads = elastic.loads(&ours)?;
+    let loads = elastic.gradient(&ours)?;
     prop_assert_eq!(Q::dot(loads.iter().zip(&other)), Q::int(0));
     Ok(())
 }
