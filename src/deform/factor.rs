@@ -8,32 +8,19 @@
 //! matrix of condition `n⁴`, its rows have `n²`.
 
 use crate::coeff::Coeff;
+use crate::error::Result;
+use crate::limits::check_entries;
 use crate::ops::bound::epsilon;
 use crate::scalar::Scalar;
 
-/// Rows with their weights, to be summed up.
+/// A sum of squares that grows.
 #[derive(Debug)]
 pub(crate) struct Squares<T> {
-    terms: Vec<(usize, T)>,
-    /// For each row the first index, the end of its terms, and its weight.
-    rows: Vec<(usize, usize, T)>,
-}
-
-impl<T> Default for Squares<T> {
-    fn default() -> Self {
-        Self { terms: Vec::new(), rows: Vec::new() }
-    }
-}
-
-impl<T: Scalar> Squares<T> {
-    /// Adds the square `weight (Σ a x)²`; indices may stand several times.
-    pub(crate) fn push(&mut self, terms: impl Iterator<Item = (usize, T)>, weight: T) {
-        let start = self.terms.len();
-        self.terms.extend(terms);
-        if let Some(first) = self.terms[start..].iter().map(|(i, _)| *i).min() {
-            self.rows.push((first, self.terms.len(), weight));
-        }
-    }
+    factor: Factor<T>,
+    /// The diagonal of the sum.
+    diagonal: Vec<T>,
+    /// Zero but while a row is rotated in.
+    row: Vec<T>,
 }
 
 /// The factors of a sum of squares.
@@ -46,49 +33,51 @@ pub(crate) struct Factor<T> {
     pivots: Vec<T>,
 }
 
-impl<T: Scalar> Factor<T> {
-    /// The factors of a sum of squares in `count` unknowns, no row of which reaches farther than `width`.
+impl<T: Scalar> Squares<T> {
+    /// Nothing, in `count` unknowns; no row will reach farther than `width`.
     ///
-    /// If there is a null space, the unknowns without a pivot are returned: as many as its dimension.
-    pub(crate) fn new(count: usize, width: usize, squares: &Squares<T>) -> Result<Self, Vec<usize>> {
-        let (factor, loose) = Self::with_loose(count, width, squares);
-        if loose.is_empty() { Ok(factor) } else { Err(loose) }
+    /// # Errors
+    /// [`Error::TooLarge`](crate::Error::TooLarge).
+    pub(crate) fn new(count: usize, width: usize) -> Result<Self> {
+        let width = width.clamp(1, count.max(1));
+        check_entries(count, width)?;
+        let zeros = |length: usize| vec![T::zero(); length];
+        let factor = Factor { width, upper: zeros(count * (width - 1)), pivots: zeros(count) };
+        Ok(Self { factor, diagonal: zeros(count), row: zeros(count) })
     }
 
-    /// As [`new`](Self::new), with the factors where unknowns have no pivot too.
-    pub(crate) fn with_loose(count: usize, width: usize, squares: &Squares<T>) -> (Self, Vec<usize>) {
-        let width = width.clamp(1, count.max(1));
-        let mut factor =
-            Self { width, upper: vec![T::zero(); count * (width - 1)], pivots: vec![T::zero(); count] };
-        let mut diagonal = factor.pivots.clone();
-        // Rows sorted by their first unknown meet no pivot far behind their own.
-        let mut order: Vec<usize> = (0..squares.rows.len()).collect();
-        order.sort_by_key(|row| squares.rows[*row].0);
-        let mut row = vec![T::zero(); count];
-        for index in order {
-            let (first, end, weight) = &squares.rows[index];
-            let start = if index == 0 { 0 } else { squares.rows[index - 1].1 };
-            let mut reach = *first;
-            for (i, x) in &squares.terms[start..*end] {
-                row[*i] += x;
-                // In a small ring terms cancel: what is left counts beside them.
-                diagonal[*i] += x.clone() * x * weight;
-                reach = reach.max(i + 1);
-            }
-            factor.rotate_in(&mut row, *first, reach, weight.clone());
+    /// Adds the square `weight (Σ a x)²`; indices may stand several times.
+    ///
+    /// Rows that come about in the order of their first unknown meet no pivot far behind their own: then the time for each does
+    /// not depend on the number of unknowns.
+    pub(crate) fn push(&mut self, terms: impl Iterator<Item = (usize, T)>, weight: &T) {
+        let (mut first, mut reach) = (self.row.len(), 0);
+        for (i, x) in terms {
+            // In a small ring terms cancel: what is left counts beside them.
+            self.diagonal[i] += x.clone() * &x * weight;
+            self.row[i] += x;
+            (first, reach) = (first.min(i), reach.max(i + 1));
         }
+        self.factor.rotate_in(&mut self.row, first, reach, weight.clone());
+    }
+
+    /// The factors, and the unknowns without a pivot: as many as the dimension of the null space.
+    pub(crate) fn factored(self) -> (Factor<T>, Vec<usize>) {
+        let (count, width) = (self.row.len(), self.factor.width);
         let noise = noise::<T>(count + width * width);
         let least = noise.clone() * noise;
-        let holds = |k: &usize| factor.pivots[*k] > least.clone() * &diagonal[*k];
+        let holds = |k: &usize| self.factor.pivots[*k] > least.clone() * &self.diagonal[*k];
         let loose = (0..count).filter(|k| !holds(k)).collect();
-        (factor, loose)
+        (self.factor, loose)
     }
+}
 
+impl<T: Scalar> Factor<T> {
     /// The factors of a symmetric matrix without negative eigenvalues; row `k` of the band has its entries from the diagonal
     /// on, `width` of them.
     ///
     /// If there is a null space, the unknowns without a pivot are returned: as many as its dimension.
-    pub(crate) fn of_band(width: usize, mut band: Vec<T>) -> Result<Self, Vec<usize>> {
+    pub(crate) fn of_band(width: usize, mut band: Vec<T>) -> std::result::Result<Self, Vec<usize>> {
         let count = band.len() / width;
         let noise = noise::<T>(count);
         let least: Vec<T> = band.iter().step_by(width).map(|x| noise.clone() * x).collect();

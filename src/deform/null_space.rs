@@ -1,7 +1,6 @@
 //! The motions that cost nothing.
 
 use crate::deform::breadth::Breadth;
-use crate::deform::factor::Factor;
 use crate::deform::material::Material;
 use crate::deform::stiffness::{ordered, squares};
 use crate::error::Result;
@@ -40,8 +39,7 @@ impl<T: Scalar> Material<T> {
     /// ```
     pub fn null_space(&self, space: &SplineSpace<T>, breadth: &Breadth<T>) -> Result<Vec<Vec<T>>> {
         let (order, width) = ordered(space, &breadth.coeffs(space)?);
-        let squares = squares(space, self, &order)?;
-        let (factor, loose) = Factor::with_loose(order.len(), width, &squares);
+        let (factor, loose) = squares(space, self, (&order, width))?.factored();
         check_entries(loose.len(), space.dim())?;
         let spread = |vector: Vec<T>| {
             let mut all = vec![T::zero(); space.dim()];

@@ -48,7 +48,7 @@ impl<T: Scalar> Stiffness<T> {
     ///
     /// # Errors
     /// [`DeformError::NullSpace`] if some of their motions cost nothing; those of [`Breadth::coeffs`];
-    /// [`Error::NotFinite`] if in floating point the material is beyond the range.
+    /// [`Error::NotFinite`] if in floating point the material is beyond the range; [`Error::TooLarge`].
     ///
     /// # Examples
     /// ```
@@ -63,7 +63,6 @@ impl<T: Scalar> Stiffness<T> {
     pub fn new(space: &SplineSpace<T>, material: &Material<T>, breadth: &Breadth<T>) -> Result<Self> {
         let moving = breadth.coeffs(space)?;
         let (order, width) = ordered(space, &moving);
-        let squares = squares(space, material, &order)?;
         let lowest = material.lowest_order();
         let free = |dimension, coefficient| DeformError::NullSpace { order: lowest, dimension, coefficient };
         // Over floats the factors alone may take a motion that is free for one that costs little.
@@ -72,8 +71,10 @@ impl<T: Scalar> Stiffness<T> {
         if let Some((dimension, coefficient)) = told.filter(|(dimension, _)| *dimension > 0) {
             return Err(free(dimension, coefficient).into());
         }
-        let factor = Factor::new(order.len(), width, &squares)
-            .map_err(|loose| free(loose.len(), loose.last().map_or(0, |rank| order[*rank])))?;
+        let (factor, loose) = squares(space, material, (&order, width))?.factored();
+        if let Some(rank) = loose.last() {
+            return Err(free(loose.len(), order[*rank]).into());
+        }
         let hats = OnceLock::new();
         Ok(Self { space: space.clone(), material: material.clone(), moving, order, factor, hats })
     }
@@ -190,25 +191,32 @@ impl<T: Scalar> Stiffness<T> {
     }
 }
 
-/// The energy of the coefficients in `order`, the others being zero.
+/// The energy of the coefficients in `order`, the others being zero; a basis function of a span reaches `width` places far.
 ///
 /// # Errors
-/// [`Error::NotFinite`].
+/// [`Error::NotFinite`], [`Error::TooLarge`].
 pub(crate) fn squares<T: Scalar>(
     space: &SplineSpace<T>,
     material: &Material<T>,
-    order: &[usize],
+    (order, width): (&[usize], usize),
 ) -> Result<Squares<T>> {
     // One more than the place in the order; zero for those that are held.
     let mut rank = vec![0_usize; space.dim()];
     order.iter().enumerate().for_each(|(place, index)| rank[*index] = place + 1);
-    let mut squares = Squares::default();
+    let place = |i: usize| rank[space.slot(i)].checked_sub(1);
+    let mut spans = spans_under(space, order);
+    // Ascending along a chain; on a ring by the first place that they reach.
+    let p = space.degree();
+    let first = |k: &usize| (k - p..=*k).filter_map(place).min();
+    if !spans.is_sorted_by_key(first) {
+        spans.sort_by_cached_key(first);
+    }
+    let mut squares = Squares::new(order.len(), width)?;
     let mut finite = true;
-    material.each_square_on(space, spans_under(space, order), |first, row, weight| {
+    material.each_square_on(space, spans.into_iter(), |first, row, weight| {
         finite &= T::EXACT || (T::dot(row.iter().zip(row)) * weight).is_finite();
         let terms = row.iter().enumerate().filter(|(_, x)| !x.is_zero());
-        let terms = terms.filter_map(|(i, x)| Some((rank[space.slot(first + i)].checked_sub(1)?, x.clone())));
-        squares.push(terms, weight.clone());
+        squares.push(terms.filter_map(|(i, x)| Some((place(first + i)?, x.clone()))), weight);
     });
     if finite { Ok(squares) } else { Err(Error::NotFinite { what: "stiffness", index: 0 }) }
 }
@@ -232,14 +240,21 @@ pub(crate) fn ordered<T: Scalar>(space: &SplineSpace<T>, moving: &[usize]) -> (V
 }
 
 /// The non-empty spans on which some of these coefficients have influence, in ascending order.
-fn spans_under<T: Scalar>(space: &SplineSpace<T>, moving: &[usize]) -> impl Iterator<Item = usize> {
+fn spans_under<T: Scalar>(space: &SplineSpace<T>, moving: &[usize]) -> Vec<usize> {
     let (p, n, t) = (space.degree(), space.dim(), space.knots());
     let spans = p..space.unrolled_dim();
     // In a ring `n` spans, beginning with `p`, where unrolled indices turn to those of spans.
     let among = |k: usize| if space.is_periodic() { p + (k + p * n - p) % n } else { k };
-    let each = moving.iter().flat_map(|i| (*i..=i + p).map(among));
+    let mut moving = moving.to_vec();
+    moving.sort_unstable();
+    let mut reached: Vec<usize> = Vec::with_capacity(moving.len() + p);
+    for i in moving {
+        let start = reached.last().map_or(i, |last| i.max(last + 1));
+        reached.extend(start..=i + p);
+    }
+    let each = reached.into_iter().map(among);
     let mut under: Vec<usize> = each.filter(|k| spans.contains(k) && t[*k] < t[k + 1]).collect();
     under.sort_unstable();
     under.dedup();
-    under.into_iter()
+    under
 }
