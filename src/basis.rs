@@ -8,6 +8,7 @@ use crate::polar::{blossom, differentiate, take_run};
 use crate::scalar::Scalar;
 use crate::space::SplineSpace;
 use crate::window::{SMALL, small_weights};
+use std::iter::repeat_n;
 
 impl<T: Scalar> SplineSpace<T> {
     /// The value at `x` as a functional: the `p + 1` basis functions that do not vanish there, from the right.
@@ -167,6 +168,20 @@ impl<T: Scalar> SplineSpace<T> {
         let mut weights = Vec::new();
         let first = self.polar_into(k, &sorted, &mut Vec::new(), &mut weights);
         Ok(Functional::new(first, weights))
+    }
+
+    /// Hands out the Bernstein coefficients of span `k`, in order: each as the first index among the `p + 1` coefficients of the
+    /// span that has a weight, and the weights.
+    pub(crate) fn each_bernstein(&self, k: usize, mut coefficient: impl FnMut(usize, &[T])) {
+        let (p, t) = (self.degree(), self.knots());
+        let (mut args, mut free, mut weights) = (Vec::with_capacity(p), Vec::with_capacity(p), Vec::new());
+        for j in 0..=p {
+            args.clear();
+            args.extend(repeat_n(&t[k], p - j).chain(repeat_n(&t[k + 1], j)));
+            weights.clear();
+            let first = self.polar_into(k, &args, &mut free, &mut weights);
+            coefficient(first + p - k, &weights);
+        }
     }
 
     /// Appends the weights of the polar value of span `k` at sorted `args`; returns the first index. `free` is

@@ -394,6 +394,6 @@ impl<T: Scalar> SplineSpace<T> {
 }
 
 /// Step `i` of `steps` equal ones from `a` to `b`, both ends without rounding.
-fn even<T: Scalar>(a: &T, b: &T, i: usize, steps: usize) -> T {
+pub(crate) fn even<T: Scalar>(a: &T, b: &T, i: usize, steps: usize) -> T {
     if i == steps { b.clone() } else { a.clone() + (b.clone() - a) * T::frac(i as i64, steps.max(1) as i64) }
 }

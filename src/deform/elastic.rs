@@ -66,12 +66,12 @@ pub struct Elastic<T> {
 impl<T: Scalar> Elastic<T> {
     /// A curve.
     pub fn curve(stiffness: Stiffness<T>) -> Self {
-        Self { along: vec![stiffness], spread: Spread::Hat }
+        Self::along(vec![stiffness])
     }
 
     /// A surface with a stiffness along each direction.
     pub fn surface(u: Stiffness<T>, v: Stiffness<T>) -> Self {
-        Self { along: vec![u, v], spread: Spread::Hat }
+        Self::along(vec![u, v])
     }
 
     /// A shape with a stiffness along each direction.
@@ -104,7 +104,7 @@ impl<T: Scalar> Elastic<T> {
         let stiffness = |(direction, (material, breadth)): (&Direction, (&Material<T>, &Breadth<T>))| {
             Stiffness::new(shape.space_along(*direction), material, breadth)
         };
-        Ok(Self { along: each.map(stiffness).collect::<Result<_>>()?, spread: Spread::Hat })
+        Ok(Self::along(each.map(stiffness).collect::<Result<_>>()?))
     }
 
     /// The same body, where forces at points are spread in this way.

@@ -13,7 +13,7 @@ use crate::coeff::{Coeff, check_shapes};
 use crate::constrain::sparse::SparseRow;
 use crate::deform::breadth::Breadth;
 use crate::deform::factor::Factor;
-use crate::deform::material::Material;
+use crate::deform::material::{Material, square};
 use crate::deform::stiffness::ordered;
 use crate::error::deform::DeformError;
 use crate::error::{Error, Result};
@@ -22,7 +22,6 @@ use crate::map::LinearMap;
 use crate::row::Row;
 use crate::scalar::Scalar;
 use crate::space::SplineSpace;
-use crate::spline::Spline;
 use crate::tensor::spline::TensorSpline;
 
 /// The energy of a surface with free weights `c_kl` of its derivatives [Vassilev, (21)].
@@ -158,24 +157,22 @@ impl<T: Scalar> FullEnergy<T> {
     /// [`Error::NotFinite`] on overflow.
     pub fn energy<C: Coeff<T>>(&self, s: &TensorSpline<T, C>) -> Result<T> {
         let mut energy = T::zero();
-        let mut finite = true;
         for (k, material) in self.rows_up_to(s.u().degree()) {
+            // The squares along `v` are the same for every line.
+            let mut along = Vec::new();
+            material
+                .each_square(s.v(), |first, row, weight| along.push((first, row.to_vec(), weight.clone())));
             single(k)?.each_square(s.u(), |first, row, weight| {
                 let mut sum: Vec<C> = s.row(first).iter().map(C::zero_like).collect();
                 for (i, x) in row.iter().enumerate() {
                     sum.iter_mut().zip(s.row(first + i)).for_each(|(sum, c)| sum.add_scaled(x, c));
                 }
-                match Spline::new(s.v().clone(), sum).and_then(|line| material.energy(&line)) {
-                    Ok(along) => energy += along * weight,
-                    Err(_) => finite = false,
-                }
+                let squares =
+                    along.iter().map(|(first, row, weight)| square(s.v(), (*first, row), &sum) * weight);
+                energy += squares.fold(T::zero(), |sum, x| sum + x) * weight;
             });
         }
-        if finite && energy.is_finite() {
-            Ok(energy)
-        } else {
-            Err(Error::NotFinite { what: "energy", index: 0 })
-        }
+        if energy.is_finite() { Ok(energy) } else { Err(Error::NotFinite { what: "energy", index: 0 }) }
     }
 
     /// The load that keeps the surface as it is, half of the gradient of the energy: `Σ_kl c_kl K_k V K_l` for the coefficients

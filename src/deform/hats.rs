@@ -93,13 +93,11 @@ fn add_span<T: Scalar>(space: &SplineSpace<T>, k: usize, [from, to]: [&T; 2], we
     let (p, t) = (space.degree(), space.knots());
     let (start, end) = (&t[k], &t[k + 1]);
     let share = (end.clone() - start) / T::int(((p + 1) * (p + 2)) as i64);
-    let (mut args, mut free, mut row) = (Vec::new(), Vec::new(), Vec::new());
-    for j in 0..=p {
-        args.clear();
-        args.extend(std::iter::repeat_n(start, p - j).chain(std::iter::repeat_n(end, j)));
-        let first = space.polar_into(k, &args, &mut free, &mut row) + p - k;
+    let mut j = 0;
+    space.each_bernstein(k, |first, row| {
         let of_j = from.clone() * T::int((p + 1 - j) as i64) + to.clone() * T::int((j + 1) as i64);
         let of_j = of_j * &share;
-        weights[first..].iter_mut().zip(row.drain(..)).for_each(|(sum, c)| *sum += c * &of_j);
-    }
+        weights[first..].iter_mut().zip(row).for_each(|(sum, c)| *sum += c.clone() * &of_j);
+        j += 1;
+    });
 }

@@ -130,11 +130,7 @@ impl<T: Scalar> Material<T> {
     pub fn energy<C: Coeff<T>>(&self, f: &Spline<T, C>) -> Result<T> {
         let (space, coeffs) = (f.space(), f.coeffs());
         let mut energy = T::zero();
-        self.each_square(space, |first, row, weight| {
-            let terms = row.iter().enumerate().map(|(i, x)| (x, &coeffs[space.slot(first + i)]));
-            let value = C::combine(terms).expect("a span has coefficients");
-            energy += T::dot(value.components().map(|x| (x, x))) * weight;
-        });
+        self.each_square(space, |first, row, weight| energy += square(space, (first, row), coeffs) * weight);
         if energy.is_finite() { Ok(energy) } else { Err(Error::NotFinite { what: "energy", index: 0 }) }
     }
 
@@ -177,19 +173,15 @@ impl<T: Scalar> Material<T> {
         let (p, t) = (space.degree(), space.knots());
         let orders = || self.weights.iter().enumerate().take(p + 1).filter(|(_, w)| !w.is_zero());
         let bases: Vec<Orthogonal<T>> = orders().map(|(k, _)| Orthogonal::new(p - k)).collect();
-        let (mut args, mut free, mut weights) = (Vec::new(), Vec::new(), Vec::new());
         for k in spans {
-            let (start, end) = (&t[k], &t[k + 1]);
-            let length = end.clone() - start;
+            let length = t[k + 1].clone() - &t[k];
             // Row j has the weights of Bernstein coefficient j.
-            let mut rows = vec![vec![T::zero(); p + 1]; p + 1];
-            for (j, row) in rows.iter_mut().enumerate() {
-                args.clear();
-                args.extend(std::iter::repeat_n(start, p - j).chain(std::iter::repeat_n(end, j)));
-                weights.clear();
-                let first = space.polar_into(k, &args, &mut free, &mut weights);
-                row[first + p - k..].iter_mut().zip(weights.drain(..)).for_each(|(to, w)| *to = w);
-            }
+            let mut rows = Vec::with_capacity(p + 1);
+            space.each_bernstein(k, |first, weights| {
+                let mut row = vec![T::zero(); p + 1];
+                row[first..first + weights.len()].clone_from_slice(weights);
+                rows.push(row);
+            });
             let mut order = 0;
             for ((next, weight), basis) in orders().zip(&bases) {
                 while order < next {
@@ -201,6 +193,17 @@ impl<T: Scalar> Material<T> {
             }
         }
     }
+}
+
+/// The square `|Σ_i a_i c[first + i]|²`, indices unrolled.
+pub(crate) fn square<T: Scalar, C: Coeff<T>>(
+    space: &SplineSpace<T>,
+    (first, row): (usize, &[T]),
+    coeffs: &[C],
+) -> T {
+    let terms = row.iter().enumerate().map(|(i, x)| (x, &coeffs[space.slot(first + i)]));
+    let value = C::combine(terms).expect("a span has coefficients");
+    T::dot(value.components().map(|x| (x, x)))
 }
 
 /// A matrix on the coefficients of a space that joins those of common spans: entry `j - i + p` of row `i` stands for `j`.

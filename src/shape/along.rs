@@ -6,7 +6,7 @@ use crate::limits::check_dim;
 use crate::scalar::Scalar;
 use crate::shape::constraints::Constraints;
 use crate::shape::controlled::Controlled;
-use crate::space::SplineSpace;
+use crate::space::{SplineSpace, even};
 use crate::spline::Curve;
 use crate::tensor::along::Direction;
 
@@ -31,12 +31,7 @@ impl<T: Scalar> SplineSpace<T> {
         }
         let (a, b) = self.domain();
         let steps = if self.is_periodic() { count } else { (count - 1).max(1) };
-        let parameter = |i: usize| match i {
-            0 => a.clone(),
-            i if i == steps => b.clone(),
-            i => a.clone() + self.length() * T::frac(i as i64, steps as i64),
-        };
-        Ok((0..count).map(parameter).collect())
+        Ok((0..count).map(|i| even(a, b, i, steps)).collect())
     }
 }
 
