@@ -29,6 +29,7 @@
 //! - fine tuning: [`fine_tune`];
 //! - shape tools: control points, weights, warps, bends, constraints: [`shape`];
 //! - deformable splines: materials, forces, constraints at least energy: [`deform`];
+//! - subdivision curves and surfaces: [`mesh`];
 //! - pictures: the module `plot`, behind the feature of that name.
 
 // The modules from the ground up: a module uses only what stands above it (tests/floors.rs).
@@ -65,6 +66,7 @@ pub mod rational;
 pub mod prepared;
 pub mod build;
 pub mod analysis;
+pub mod mesh;
 pub mod constrain;
 pub mod fine_tune;
 pub mod shape;
@@ -116,6 +118,7 @@ pub use deform::sculptor::Sculptor;
 pub use deform::stiffness::Stiffness;
 pub use dense::solve_dense;
 pub use error::deform::DeformError;
+pub use error::mesh::MeshError;
 pub use error::shape::ShapeError;
 pub use error::skin::SkinError;
 pub use error::tune::TuneError;
@@ -142,6 +145,11 @@ pub use fine_tune::turn::Turnable;
 pub use functional::Functional;
 pub use knots::KnotVector;
 pub use map::LinearMap;
+pub use mesh::boundary::Boundary;
+pub use mesh::catmull_clark::CatmullClark;
+pub use mesh::control_mesh::ControlMesh;
+pub use mesh::doo_sabin::DooSabin;
+pub use mesh::topology::Topology;
 pub use ops::bound::Approximation;
 pub use ops::dual::DualFunctional;
 pub use ops::enclose::{Enclosure, Extremum};

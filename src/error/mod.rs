@@ -1,11 +1,13 @@
 //! What can go wrong, as one enum with data.
 
 pub mod deform;
+pub mod mesh;
 pub mod shape;
 pub mod skin;
 pub mod tune;
 
 use deform::DeformError;
+use mesh::MeshError;
 use shape::ShapeError;
 use skin::SkinError;
 use tune::TuneError;
@@ -358,6 +360,9 @@ pub enum Error {
     /// A spline was not deformed.
     #[error(transparent)]
     Deform(#[from] DeformError),
+    /// See [`MeshError`].
+    #[error(transparent)]
+    Mesh(#[from] MeshError),
     /// No skin was laid over sections.
     #[error(transparent)]
     Skin(#[from] SkinError),

@@ -1,0 +1,82 @@
+//! What is wrong with a mesh.
+
+/// What is wrong with a mesh.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum MeshError {
+    /// A mesh without faces.
+    #[error("a mesh needs faces")]
+    NoFaces,
+    /// A face with fewer than three corners, or one that comes to a vertex twice.
+    #[error("face {face} is degenerate: it has fewer than three corners or comes to a vertex twice")]
+    DegenerateFace {
+        /// Its place in the list of faces.
+        face: usize,
+    },
+    /// A corner is no vertex.
+    #[error("corner {corner} of face {face} is vertex {vertex}, but there are {count}")]
+    NoSuchVertex {
+        /// The face.
+        face: usize,
+        /// The corner's place in the face.
+        corner: usize,
+        /// The vertex that it names.
+        vertex: usize,
+        /// How many vertices there are.
+        count: usize,
+    },
+    /// More than two faces meet in an edge.
+    #[error("the edge between the vertices {from} and {to} is in {faces} faces")]
+    NonManifoldEdge {
+        /// One end.
+        from: usize,
+        /// The other end.
+        to: usize,
+        /// How many faces there are at it.
+        faces: usize,
+    },
+    /// Two faces run through an edge in the same direction.
+    #[error("the faces {first} and {second} both run from vertex {from} to vertex {to}: one is turned over")]
+    InconsistentFaces {
+        /// Where the edge begins.
+        from: usize,
+        /// Where it ends.
+        to: usize,
+        /// One face.
+        first: usize,
+        /// The other face.
+        second: usize,
+    },
+    /// The faces at a vertex do not make one fan.
+    #[error("the faces at vertex {vertex} hang together in this vertex alone")]
+    NonManifoldVertex {
+        /// The vertex.
+        vertex: usize,
+    },
+    /// A vertex is in no face.
+    #[error("vertex {vertex} is in no face")]
+    UnusedVertex {
+        /// The vertex.
+        vertex: usize,
+    },
+    /// Nothing is left of a surface whose boundary is open.
+    #[error("the surface is empty: no {what} has all its neighbours")]
+    NothingInside {
+        /// What would be needed: "vertex" or "face".
+        what: &'static str,
+    },
+    /// Cosines of whole fractions of a turn that are not in the field of the coordinates.
+    #[error("the weights of a face with {sides} sides are not rational: take floats")]
+    IrrationalWeights {
+        /// How many sides there are.
+        sides: usize,
+    },
+    /// A knot interval is negative.
+    #[error("knot interval {index} is {interval}, which is negative")]
+    NegativeInterval {
+        /// Its place in the list.
+        index: usize,
+        /// The interval.
+        interval: String,
+    },
+}
