@@ -71,6 +71,14 @@ pub enum MeshError {
         /// How many sides there are.
         sides: usize,
     },
+    /// Subdivision does not draw an element to a point.
+    #[error("{what} {index} does not shrink to a point")]
+    NoLimit {
+        /// What it is: "face" or "vertex".
+        what: &'static str,
+        /// Its place among them.
+        index: usize,
+    },
     /// A knot interval is negative.
     #[error("knot interval {index} is {interval}, which is negative")]
     NegativeInterval {

@@ -15,6 +15,12 @@ pub(super) fn check_size(count: usize) -> Result<()> {
     }
 }
 
+/// Refuses `depth` steps that each make four half-edges of one, beyond the limit.
+pub(super) fn check_refined(half_edges: usize, depth: usize) -> Result<()> {
+    let grown = u32::try_from(2 * depth.min(64)).ok().and_then(|shift| 1_usize.checked_shl(shift));
+    check_size(grown.map_or(usize::MAX, |factor| half_edges.saturating_mul(factor)))
+}
+
 /// See [`Topology::new`].
 pub(super) fn topology<F: AsRef<[usize]>>(
     vertices: usize,

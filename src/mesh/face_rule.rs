@@ -1,53 +1,52 @@
 //! The rules that move the corners of a face inwards, each by weights that depend on the distance around the face alone.
 //!
-//! For a face with the corners `P_0 .. P_{n-1}`
+//! A leg of a quadratic's polygon, with the joint `E` on it, gives way to `(1 - s) P + s E` beside each end `P`: with `s = 1/2` this is
+//! Chaikin's cut, with `s = 1/3` elevation to degree 3. In two directions, with equal intervals, and for any number of corners
 //!
 //! ```text
-//! P̄_i = x P_i + y M + z K_i / n,   M = Σ P_j / n,   K_i = Σ_j cos(2π (i - j) / n) P_j
+//! P̄_i = (1 - s)² P_i + s (2 - s) M + 2 s (1 - s) K_i / n
+//! M = Σ P_j / n,   K_i = Σ_j cos(2π (i - j) / n) P_j
 //! ```
-//! with `x + y = 1`. With `(x, y, z) = (1, 3, 2) / 4` it is Doo and Sabin's rule, with the weights `(n + 5) / 4n` and
-//! `(3 + 2 cos(2π |i - j| / n)) / 4n`; with `(4, 5, 4) / 9` it is the conversion [Miura] (24). The map is diagonal in waves around the face:
-//! the mean stays, the first wave shrinks by `x + z / 2`, which is 1/2 and 2/3, all others by `x`.
+//! which is Doo and Sabin's rule for `s = 1/2`, with the weights `(n + 5) / 4n` and `(3 + 2 cos(2π |i - j| / n)) / 4n`, and
+//! [Miura] (24) for `s = 1/3`. The map is diagonal in waves around the face: the mean stays, the first wave shrinks by `1 - s`, all
+//! others by `(1 - s)²`.
 
 use crate::error::Result;
 use crate::error::mesh::MeshError;
 use crate::scalar::Scalar;
 use nalgebra::SVector;
 
-/// Such a rule: the weights of a corner itself, of the mean, and of the first wave.
+/// Such a rule.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct FaceRule {
-    own: (i64, i64),
-    mean: (i64, i64),
-    wave: (i64, i64),
+pub(crate) enum FaceRule {
+    /// Doo and Sabin's: half of the way to the joints.
+    DooSabin,
+    /// That of [Miura] (24): a third of the way.
+    Elevation,
 }
 
-/// Doo and Sabin's rule.
-pub(crate) const DOO_SABIN: FaceRule = FaceRule { own: (1, 4), mean: (3, 4), wave: (1, 2) };
-/// The rule of [Miura] (24).
-pub(crate) const CONVERSION: FaceRule = FaceRule { own: (4, 9), mean: (5, 9), wave: (4, 9) };
-
 impl FaceRule {
-    /// The weights of the corners in the first new one.
-    pub(crate) fn weights<T: Scalar>(&self, sides: usize) -> Result<Vec<T>> {
-        let unit = |k: usize| SVector::<T, 1>::new(if k == 0 { T::one() } else { T::zero() });
-        let corners: Vec<_> = (0..sides).map(unit).collect();
-        let mut moved = Vec::new();
-        self.apply(&corners, &mut Waves::default(), &mut moved)?;
-        // Of corner 0 in all new ones: the same, as the rule is symmetric.
-        Ok(moved.into_iter().map(|weight| weight[0].clone()).collect())
+    /// How far the corners go towards the joints: `s`.
+    pub(crate) fn share<T: Scalar>(self) -> T {
+        match self {
+            Self::DooSabin => T::frac(1, 2),
+            Self::Elevation => T::frac(1, 3),
+        }
     }
 
-    /// Appends the new corners to `moved`.
+    /// Appends the new corners of a face with equal intervals to `moved`.
     pub(crate) fn apply<T: Scalar, const N: usize>(
-        &self,
+        self,
         corners: &[SVector<T, N>],
         waves: &mut Waves<T, N>,
         moved: &mut Vec<SVector<T, N>>,
     ) -> Result<()> {
-        let [own, mean, wave] = [self.own, self.mean, self.wave].map(|(p, q)| T::frac(p, q));
-        let share = T::frac(1, corners.len() as i64);
-        let (mean, wave) = (mean * &share, wave * &share);
+        let [own, mean, wave] = match self {
+            Self::DooSabin => [(1, 4), (3, 4), (1, 2)],
+            Self::Elevation => [(4, 9), (5, 9), (4, 9)],
+        };
+        let own = T::frac(own.0, own.1);
+        let [mean, wave] = [mean, wave].map(|(p, q)| T::frac(p, q * corners.len() as i64));
         let mean = waves.run(corners)? * mean;
         let new = |(corner, turned): (&SVector<T, N>, &SVector<T, N>)| {
             corner * own.clone() + &mean + turned * wave.clone()
@@ -118,22 +117,34 @@ mod tests {
     use super::*;
     use crate::exact::Q;
 
+    /// The weights of corner 0 in all new ones: those of all corners in the first, as the rule is symmetric.
+    fn weights<T: Scalar>(rule: FaceRule, sides: usize) -> Result<Vec<T>> {
+        let unit = |k: usize| SVector::<T, 1>::new(if k == 0 { T::one() } else { T::zero() });
+        let corners: Vec<_> = (0..sides).map(unit).collect();
+        let mut moved = Vec::new();
+        rule.apply(&corners, &mut Waves::default(), &mut moved)?;
+        Ok(moved.into_iter().map(|weight| weight[0].clone()).collect())
+    }
+
     #[test]
     fn weights_are_those_of_the_formulas() {
         let quarters = |n: &[i64], d: i64| n.iter().map(|n| Q::frac(*n, d)).collect::<Vec<_>>();
-        assert_eq!(DOO_SABIN.weights(4), Ok(quarters(&[9, 3, 1, 3], 16)));
-        assert_eq!(CONVERSION.weights(4), Ok(quarters(&[25, 5, 1, 5], 36)));
-        assert_eq!(CONVERSION.weights(3), Ok(quarters(&[7, 1, 1], 9)));
-        assert_eq!(CONVERSION.weights(6), Ok(quarters(&[33, 7, 3, 1, 3, 7], 54)));
-        assert_eq!(DOO_SABIN.weights::<Q>(5), Err(MeshError::IrrationalWeights { sides: 5 }.into()));
+        assert_eq!(weights(FaceRule::DooSabin, 4), Ok(quarters(&[9, 3, 1, 3], 16)));
+        assert_eq!(weights(FaceRule::Elevation, 4), Ok(quarters(&[25, 5, 1, 5], 36)));
+        assert_eq!(weights(FaceRule::Elevation, 3), Ok(quarters(&[7, 1, 1], 9)));
+        assert_eq!(weights(FaceRule::Elevation, 6), Ok(quarters(&[33, 7, 3, 1, 3, 7], 54)));
+        assert_eq!(
+            weights::<Q>(FaceRule::DooSabin, 5),
+            Err(MeshError::IrrationalWeights { sides: 5 }.into())
+        );
         for n in [3, 4, 5, 6, 7, 12, 101] {
             let cos = |k: usize| (std::f64::consts::TAU * k as f64 / n as f64).cos();
             let size = n as f64;
-            for (k, w) in DOO_SABIN.weights::<f64>(n).unwrap().into_iter().enumerate() {
+            for (k, w) in weights::<f64>(FaceRule::DooSabin, n).unwrap().into_iter().enumerate() {
                 let own = if k == 0 { 0.25 } else { 0.0 };
                 assert!((w - own - (3.0 + 2.0 * cos(k)) / (4.0 * size)).abs() < 4e-16, "{k} of {n}");
             }
-            for (k, w) in CONVERSION.weights::<f64>(n).unwrap().into_iter().enumerate() {
+            for (k, w) in weights::<f64>(FaceRule::Elevation, n).unwrap().into_iter().enumerate() {
                 let own = if k == 0 { 4.0 / 9.0 } else { 0.0 };
                 assert!((w - own - (5.0 + 4.0 * cos(k)) / (9.0 * size)).abs() < 4e-16, "{k} of {n}");
             }

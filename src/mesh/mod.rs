@@ -11,4 +11,6 @@ mod face_rule;
 mod dual;
 mod primal;
 pub mod catmull_clark;
+mod corner_rule;
 pub mod doo_sabin;
+mod quadratic_limit;

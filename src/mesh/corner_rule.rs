@@ -1,0 +1,161 @@
+//! How the corners of a face move inwards where knot intervals differ, or at a boundary: the rule of [`doo_sabin`](super::doo_sabin).
+//!
+//! With `d_ij` the interval of the edge between the corners `i` and `j` at `i`, and `s` as in [`face_rule`](super::face_rule),
+//!
+//! ```text
+//! P̄_i = (1 - s) P_i + s V + s (1 - s) (c_{i+2} + c_{i-2}) / (2 Σ c) · (n (M - P_i) + 2 K_i)
+//! c_k = d_{k-1,k} d_{k+1,k},   V = Σ c_k P_k / Σ c
+//! ```
+//! A four-sided face whose opposite intervals agree is a part of a biquadratic; there `V` is the point in which its four patches meet, and with
+//! the joints `E` on the two legs at `P_i` the sum is `(1 - s)² P_i + s (1 - s) (E_i + E'_i) + s² V`: the curve rule in both directions.
+
+use crate::error::Result;
+use crate::mesh::boundary::Boundary;
+use crate::mesh::control_mesh::ControlMesh;
+use crate::mesh::face_rule::Waves;
+use crate::scalar::Scalar;
+use nalgebra::SVector;
+
+/// The rule for a surface, with room for the intervals of a face.
+pub(super) struct CornerRule<'a, T: Scalar, const N: usize> {
+    mesh: &'a ControlMesh<T, N>,
+    intervals: Option<&'a [[T; 2]]>,
+    boundary: Boundary,
+    /// For each side of the face that came last, the intervals of its edge: where it begins, and where it ends.
+    sides: Vec<[T; 2]>,
+    /// The weights `c`.
+    weights: Vec<T>,
+}
+
+impl<'a, T: Scalar, const N: usize> CornerRule<'a, T, N> {
+    /// The rule for a mesh whose edges have the given intervals at the origins of their sides and at their other ends, or equal ones.
+    pub(super) fn new(
+        mesh: &'a ControlMesh<T, N>,
+        intervals: Option<&'a [[T; 2]]>,
+        boundary: Boundary,
+    ) -> Self {
+        Self { mesh, intervals, boundary, sides: Vec::new(), weights: Vec::new() }
+    }
+
+    /// Whether all intervals in face `f` are equal, so that there is no need for this rule.
+    pub(super) fn is_even(&self, f: usize) -> bool {
+        let topology = self.mesh.topology();
+        let inside = || self.open() || topology.face(f).all(|v| !topology.is_boundary(v));
+        self.intervals.is_none() && inside()
+    }
+
+    fn open(&self) -> bool {
+        self.boundary == Boundary::Open
+    }
+
+    /// The knot interval of the edge of half-edge `h`, where `h` begins or at the other end.
+    pub(super) fn interval(&self, h: usize, far: bool) -> T {
+        let topology = self.mesh.topology();
+        let e = topology.edge_of(h);
+        let end = usize::from((topology.side(e) == h) == far);
+        self.intervals.map_or_else(T::one, |intervals| intervals[e][end].clone())
+    }
+
+    /// The intervals that count, of the edge of half-edge `h`, where `h` begins and at the other end.
+    fn side(&self, h: usize) -> [T; 2] {
+        let topology = self.mesh.topology();
+        let e = topology.edge_of(h);
+        let clamped = |v: usize| {
+            let alone = || topology.leaving(v).nth(1).is_none();
+            !self.open() && topology.is_boundary(v) && (!topology.is_boundary_edge(e) || alone())
+        };
+        let ends = [(topology.origin(h), false), (topology.target(h), true)];
+        let ends = ends.map(|(v, far)| if clamped(v) { T::zero() } else { self.interval(h, far) });
+        // Only the ratio counts.
+        if ends.iter().all(|d| d.is_zero()) { [T::one(), T::one()] } else { ends }
+    }
+
+    /// Finds the weights `c` of the corners of face `f`: none if their sum vanishes.
+    pub(super) fn weights(&mut self, f: usize) -> Option<&[T]> {
+        let mut sides = std::mem::take(&mut self.sides);
+        sides.clear();
+        sides.extend(self.mesh.topology().sides(f).map(|h| self.side(h)));
+        self.sides = sides;
+        let before = (self.sides.len() - 1..self.sides.len()).chain(0..self.sides.len());
+        let weight = |(k, ahead): (usize, &[T; 2])| self.sides[k][0].clone() * &ahead[1];
+        self.weights.clear();
+        self.weights.extend(before.zip(&self.sides).map(weight));
+        let sum = self.weights.iter().fold(T::zero(), |sum, c| sum + c);
+        if sum.is_zero() {
+            return None;
+        }
+        T::divide(&mut self.weights, &sum);
+        Some(&self.weights)
+    }
+
+    /// Appends the new corners of face `f`, moved by the share `s`.
+    pub(super) fn apply<const M: usize>(
+        &mut self,
+        share: T,
+        f: usize,
+        corners: &[SVector<T, M>],
+        waves: &mut Waves<T, M>,
+        moved: &mut Vec<SVector<T, M>>,
+    ) -> Result<()> {
+        let Some(weights) = self.weights(f) else {
+            moved.extend_from_slice(corners);
+            return Ok(());
+        };
+        let n = corners.len();
+        let sum = waves.run(corners)?;
+        let joint =
+            corners.iter().zip(weights).fold(SVector::zeros(), |v, (corner, c)| v + corner * c.clone());
+        let rest = T::one() - &share;
+        let twist = share.clone() * &rest * T::frac(1, 2);
+        for (i, corner) in corners.iter().enumerate() {
+            moved.push(match self.along_boundary(f, i, corners) {
+                Some(end) => corner * rest.clone() + end * share.clone(),
+                None => {
+                    let far = self.weights[(i + 2) % n].clone() + &self.weights[(i + n - 2) % n];
+                    let bent = &sum - corner * T::int(n as i64) + &waves.first[i] * T::int(2);
+                    corner * rest.clone() + &joint * share.clone() + bent * (far * &twist)
+                }
+            });
+        }
+        Ok(())
+    }
+
+    /// Whether the boundary runs along the sides of face `f` after and before its corner `i`, and has to be kept.
+    fn along(&self, f: usize, i: usize) -> [bool; 2] {
+        let topology = self.mesh.topology();
+        let h = topology.sides(f).start + i;
+        [h, topology.prev(h)].map(|h| !self.open() && topology.twin(h).is_none())
+    }
+
+    /// The corners of face `f` that stay, and the first corners of boundary edges between corners that do not.
+    pub(super) fn held(&self, f: usize) -> Vec<usize> {
+        let n = self.mesh.topology().sides(f).len();
+        let held = |i: &usize| {
+            let [ahead, behind] = self.along(f, *i);
+            ahead && (behind || !self.along(f, (i + 1) % n)[0])
+        };
+        (0..n).filter(held).collect()
+    }
+
+    /// The joint on the boundary edge at corner `i` of face `f`, which came last: the corner itself if it has two.
+    pub(super) fn along_boundary<const M: usize>(
+        &self,
+        f: usize,
+        i: usize,
+        corners: &[SVector<T, M>],
+    ) -> Option<SVector<T, M>> {
+        let n = corners.len();
+        let (other, [own, far]) = match self.along(f, i) {
+            [false, false] => return None,
+            [true, true] => return Some(corners[i].clone()),
+            [true, false] => ((i + 1) % n, self.sides[i].clone()),
+            [false, true] => {
+                let other = (i + n - 1) % n;
+                let [far, own] = self.sides[other].clone();
+                (other, [own, far])
+            }
+        };
+        let whole = own.clone() + &far;
+        Some(&corners[i] * (far / &whole) + &corners[other] * (own / &whole))
+    }
+}

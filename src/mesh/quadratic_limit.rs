@@ -1,0 +1,199 @@
+//! Where the faces of a Doo-Sabin surface shrink to, and how the surface lies there.
+//!
+//! A step maps the corners of a face linearly, by the same map `A` every time, to those of the face that it shrinks to. All rows of `A`
+//! have the sum 1, so that the face shrinks to the point
+//!
+//! ```text
+//! P∞ = Σ l_i P_i,   l A = l,   Σ l = 1
+//! ```
+//! With equal intervals `l_i = 1/n`. In a four-sided face whose opposite intervals agree, and in one at a clamped boundary, `l` are the
+//! weights `c / Σ c` of the rule. The tangent plane is that of the first wave around the face, or, in a part of a biquadratic, of its
+//! two derivatives.
+
+use crate::dense::solve_dense;
+use crate::error::Result;
+use crate::error::mesh::MeshError;
+use crate::limits::check_entries;
+use crate::mesh::boundary::Boundary;
+use crate::mesh::control_mesh::ControlMesh;
+use crate::mesh::corner_rule::CornerRule;
+use crate::mesh::doo_sabin::DooSabin;
+use crate::mesh::face_rule::{FaceRule, Waves};
+use crate::scalar::{Real, Scalar};
+use crate::vector::{cross3, unit};
+use nalgebra::{DMatrix, SVector};
+
+impl<T: Scalar, const N: usize> DooSabin<T, N> {
+    /// The points on the surface that the faces shrink to, one a face.
+    ///
+    /// # Errors
+    /// [`MeshError::NoLimit`] for a face that does not shrink to a point: one at a boundary in two places, or one without any knot
+    /// interval that counts; [`MeshError::IrrationalWeights`] as in [`refined`](Self::refined), but only where intervals differ;
+    /// [`Error::TooLarge`](crate::Error::TooLarge) for such a face with very many sides.
+    ///
+    /// # Examples
+    /// ```
+    /// use nalgebra::vector;
+    /// use symspline::{Boundary, ControlMesh, DooSabin};
+    /// let points = vec![vector![0.0, 0.0], vector![3.0, 0.0], vector![0.0, 3.0]];
+    /// let triangle = DooSabin::new(ControlMesh::new(points, [[0, 1, 2]])?, Boundary::Open);
+    /// assert_eq!(triangle.limit_points()?, [vector![1.0, 1.0]]);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    pub fn limit_points(&self) -> Result<Vec<SVector<T, N>>> {
+        let mut rule = self.rule();
+        let mut corners = Vec::new();
+        (0..self.mesh().topology().face_count())
+            .map(|f| {
+                if rule.is_even(f) {
+                    return Ok(self.mesh().centroid(f));
+                }
+                corners.clear();
+                corners.extend(self.mesh().topology().face(f).map(|v| self.mesh().points()[v].clone()));
+                limit(&mut rule, f, &corners)
+            })
+            .collect()
+    }
+
+    /// The mesh of the [limit points](Self::limit_points): a vertex where a face is, a face where an inner vertex is. It has all its
+    /// vertices on the surface.
+    ///
+    /// At a boundary that is not open, vertices of the boundary in three or more faces are faces as well. The mesh must be the result of
+    /// a step of subdivision, or like one: no two faces with two edges in common. Faces without an inner vertex are left out.
+    ///
+    /// # Errors
+    /// Those of [`limit_points`](Self::limit_points); [`MeshError::NothingInside`] if all vertices are at the boundary; those of
+    /// [`ControlMesh::new`].
+    pub fn limit_mesh(&self) -> Result<ControlMesh<T, N>> {
+        let topology = self.mesh().topology();
+        let filled = |v: usize| self.boundary() != Boundary::Open && topology.leaving(v).nth(2).is_some();
+        let around = |v: usize| topology.leaving(v).map(|h| topology.face_of(h)).collect::<Vec<_>>();
+        let within = (0..topology.vertex_count()).filter(|v| !topology.is_boundary(*v) || filled(*v));
+        let mut faces: Vec<_> = within.map(around).collect();
+        if faces.is_empty() {
+            return Err(MeshError::NothingInside { what: "vertex" }.into());
+        }
+        let mut places = vec![None; topology.face_count()];
+        let limits = self.limit_points()?;
+        let mut points = Vec::new();
+        for corner in faces.iter_mut().flatten() {
+            *corner = *places[*corner].get_or_insert_with(|| {
+                points.push(limits[*corner].clone());
+                points.len() - 1
+            });
+        }
+        ControlMesh::new(points, faces)
+    }
+}
+
+impl<T: Real> DooSabin<T, 3> {
+    /// The unit normals of the surface at the [limit points](Self::limit_points), to the side from which faces run
+    /// counter-clockwise; none where the tangent plane is not determined.
+    ///
+    /// Where intervals differ, or at a boundary, around a face that does not have four sides, the plane is found by 40 steps.
+    ///
+    /// # Errors
+    /// Those of [`limit_points`](Self::limit_points).
+    ///
+    /// # Examples
+    /// ```
+    /// use nalgebra::vector;
+    /// use symspline::{Boundary, ControlMesh, DooSabin};
+    /// let points = vec![vector![0.0, 0.0, 0.0], vector![3.0, 0.0, 0.0], vector![0.0, 3.0, 0.0]];
+    /// let triangle = DooSabin::new(ControlMesh::new(points, [[0, 1, 2]])?, Boundary::Open);
+    /// assert_eq!(triangle.limit_normals()?, [Some(vector![0.0, 0.0, 1.0])]);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    pub fn limit_normals(&self) -> Result<Vec<Option<SVector<T, 3>>>> {
+        let mut rule = self.rule();
+        let mut waves = Waves::default();
+        let mut corners = Vec::new();
+        let mut normal = |f: usize| {
+            corners.clear();
+            corners.extend(self.mesh().topology().face(f).map(|v| self.mesh().points()[v].clone()));
+            let across = if rule.is_even(f) {
+                waves.run(&corners)?;
+                // Two places about a quarter of the turn apart.
+                cross3(&waves.first[0], &waves.first[(corners.len() + 2) / 4])
+            } else if let ([p, q, r, s], Some([a, b, c, d])) = (&corners[..], rule.weights(f)) {
+                let along = |from: [&SVector<T, 3>; 2], to: [&SVector<T, 3>; 2], w: T, v: T| {
+                    (to[0] - from[0]) * w + (to[1] - from[1]) * v
+                };
+                let u = along([p, s], [q, r], a.clone() + b, c.clone() + d);
+                let v = along([p, q], [s, r], a.clone() + d, b.clone() + c);
+                cross3(&u, &v)
+            } else {
+                let centre = limit(&mut rule, f, &corners)?;
+                area_after(&mut rule, f, corners.iter().map(|corner| corner - &centre).collect())?
+            };
+            Ok(unit(&across).map(|(normal, _)| normal))
+        };
+        (0..self.mesh().topology().face_count()).map(&mut normal).collect()
+    }
+}
+
+/// The point that face `f`, which has uneven intervals or is at a boundary, shrinks to.
+fn limit<T: Scalar, const N: usize>(
+    rule: &mut CornerRule<'_, T, N>,
+    f: usize,
+    corners: &[SVector<T, N>],
+) -> Result<SVector<T, N>> {
+    let nowhere = MeshError::NoLimit { what: "face", index: f };
+    let weights = rule.weights(f).ok_or(nowhere.clone())?.to_vec();
+    let sum = |weights: &[T]| {
+        corners.iter().zip(weights).fold(SVector::zeros(), |sum, (corner, w)| sum + corner * w.clone())
+    };
+    // What is at the boundary stays there: corners, and boundary edges between vertices that are none.
+    let held = rule.held(f);
+    match held[..] {
+        [] => {}
+        [i] => return Ok(rule.along_boundary(f, i, corners).expect("held corners are at the boundary")),
+        _ => return Err(nowhere.into()),
+    }
+    let agree =
+        |a: T, b: T| a == b || !T::EXACT && (a.clone() - &b).magnitude() <= (a + b) * T::frac(1, 1 << 40);
+    if let [a, b, c, d] = &weights[..]
+        && agree(a.clone() * c, b.clone() * d)
+    {
+        return Ok(sum(&weights));
+    }
+    let n = corners.len();
+    check_entries(n, n)?;
+    // Column j of the transposed system is row j of A - I, but for the last equation.
+    let mut system = DMatrix::from_element(n, n, T::one());
+    let mut waves = Waves::default();
+    let mut images = Vec::new();
+    for j in 0..n {
+        let unit: Vec<_> =
+            (0..n).map(|i| SVector::<T, 1>::new(if i == j { T::one() } else { T::zero() })).collect();
+        images.clear();
+        rule.apply(FaceRule::DooSabin.share(), f, &unit, &mut waves, &mut images)?;
+        for i in (0..n).filter(|_| j + 1 < n) {
+            system[(j, i)] = images[i][0].clone() - &unit[i][0];
+        }
+    }
+    let mut right = DMatrix::from_element(n, 1, T::zero());
+    right[(n - 1, 0)] = T::one();
+    let left = solve_dense(&system, &right).map_err(|_| nowhere)?;
+    Ok(sum(left.as_slice()))
+}
+
+/// The direction of the area of a face after many steps, for corners given from the point that it shrinks to.
+fn area_after<T: Real>(
+    rule: &mut CornerRule<'_, T, 3>,
+    f: usize,
+    mut corners: Vec<SVector<T, 3>>,
+) -> Result<SVector<T, 3>> {
+    const STEPS: usize = 40;
+    let mut waves = Waves::default();
+    let mut moved = Vec::new();
+    for _ in 0..STEPS {
+        moved.clear();
+        rule.apply(FaceRule::DooSabin.share(), f, &corners, &mut waves, &mut moved)?;
+        // Larger again by as much as the first wave shrinks.
+        corners.clear();
+        corners.extend(moved.iter().map(|corner| corner * T::int(2)));
+    }
+    let ahead = corners.iter().skip(1).chain(&corners);
+    Ok(corners.iter().zip(ahead).fold(SVector::zeros(), |sum, (p, q)| sum + cross3(p, q)))
+}

@@ -1,0 +1,4 @@
+//! Laws of meshes and subdivision surfaces, over `Q` with `==`.
+
+mod doo_sabin;
+mod nets;
