@@ -37,10 +37,10 @@ impl<'a, T: Scalar, const N: usize> CornerRule<'a, T, N> {
         Self { mesh, intervals, boundary, sides: Vec::new(), weights: Vec::new() }
     }
 
-    /// Whether all intervals in face `f` are equal, so that there is no need for this rule.
+    /// Whether all intervals that count in face `f` are equal, so that there is no need for this rule.
     pub(super) fn is_even(&self, f: usize) -> bool {
         let topology = self.mesh.topology();
-        let inside = || self.open() || topology.face(f).all(|v| !topology.is_boundary(v));
+        let inside = || self.open() || topology.sides(f).all(|h| topology.twin(h).is_some());
         self.intervals.is_none() && inside()
     }
 
@@ -56,18 +56,16 @@ impl<'a, T: Scalar, const N: usize> CornerRule<'a, T, N> {
         self.intervals.map_or_else(T::one, |intervals| intervals[e][end].clone())
     }
 
-    /// The intervals that count, of the edge of half-edge `h`, where `h` begins and at the other end.
+    /// The intervals that count in the face of half-edge `h`, of its edge, where it begins and at the other end.
     fn side(&self, h: usize) -> [T; 2] {
         let topology = self.mesh.topology();
-        let e = topology.edge_of(h);
-        let clamped = |v: usize| {
-            let alone = || topology.leaving(v).nth(1).is_none();
-            !self.open() && topology.is_boundary(v) && (!topology.is_boundary_edge(e) || alone())
-        };
-        let ends = [(topology.origin(h), false), (topology.target(h), true)];
-        let ends = ends.map(|(v, far)| if clamped(v) { T::zero() } else { self.interval(h, far) });
-        // Only the ratio counts.
-        if ends.iter().all(|d| d.is_zero()) { [T::one(), T::one()] } else { ends }
+        let bounded = |h: usize| !self.open() && topology.twin(h).is_none();
+        // Across the boundary, and along it where it has a corner: before and after the edge in question.
+        let beside = [topology.prev(h), topology.next(h)];
+        [false, true].map(|far| match bounded(beside[usize::from(far)]) {
+            true => T::zero(),
+            false => self.interval(h, far),
+        })
     }
 
     /// Finds the weights `c` of the corners of face `f`: none if their sum vanishes.
@@ -75,6 +73,12 @@ impl<'a, T: Scalar, const N: usize> CornerRule<'a, T, N> {
         let mut sides = std::mem::take(&mut self.sides);
         sides.clear();
         sides.extend(self.mesh.topology().sides(f).map(|h| self.side(h)));
+        // Edges without any interval get some that are equal, and as large as the others in the face.
+        let whole = sides.iter().flatten().fold(T::zero(), |sum, d| sum + d);
+        let some = if whole.is_zero() { T::one() } else { whole };
+        for ends in sides.iter_mut().filter(|ends| ends.iter().all(|d| d.is_zero())) {
+            *ends = [some.clone(), some.clone()];
+        }
         self.sides = sides;
         let before = (self.sides.len() - 1..self.sides.len()).chain(0..self.sides.len());
         let weight = |(k, ahead): (usize, &[T; 2])| self.sides[k][0].clone() * &ahead[1];

@@ -14,13 +14,15 @@
 //! P̄_i = (V + P_i) / 2 + (c_{i+2} + c_{i-2}) / (8 Σ c) · (-n P_i + Σ_j (1 + 2 cos(2π (i - j) / n)) P_j)
 //! c_k = d_{k-1,k} d_{k+1,k},   V = Σ c_k P_k / Σ c
 //! ```
-//! where an edge both of whose intervals vanish counts as one whose intervals are equal, and where `P_i` stays if all `c` vanish.
+//! where an edge both of whose intervals vanish counts as one with equal intervals (the sum of those in the face, or 1), and where `P_i`
+//! stays if all `c` vanish.
 //! The new intervals are the halves of those at the same vertex in the same direction: straight through a new vertex, as two of its
 //! four edges go, both are equal.
 //!
-//! At a boundary that is not [`Boundary::Open`] the intervals of inner edges at boundary vertices count as zero, as at the end of a
-//! clamped spline; the corners at a boundary edge follow Chaikin's rule along the boundary, whatever the face; a vertex
-//! in one face alone stays, also for [`Boundary::Smooth`], since a face has one new corner there.
+//! At a boundary that is not [`Boundary::Open`] the two edges of a face beside a boundary edge count as if they had the interval zero at their
+//! ends there, as at the end of a clamped spline; the corners at a boundary edge follow Chaikin's rule along the boundary, whatever the
+//! face; a vertex in one face alone stays, also for [`Boundary::Smooth`], since a face has one new corner there. A boundary vertex in three
+//! or more faces becomes a face, which keeps the boundary a spline, but leaves ever more such vertices along it.
 
 use crate::error::{Error, Result};
 use crate::mesh::boundary::Boundary;

@@ -1,6 +1,7 @@
 //! Doo-Sabin surfaces, and their conversion to Catmull-Clark surfaces.
 
-use crate::nets::{Net, cases, intervals, net, sums};
+use crate::nets::{Net, intervals, net, sums};
+use crate::strategies::cases;
 use nalgebra::SVector;
 use proptest::prelude::*;
 use symspline::{Boundary, DooSabin, Q, Result, Scalar, SplineSpace, Surface};

@@ -1,4 +1,10 @@
-//! Laws of meshes and subdivision surfaces, over `Q` with `==`.
+//! Laws of meshes and of the surfaces that come of subdividing them, over `Q` with `==`.
 
+#[path = "../laws/strategies.rs"]
+#[allow(dead_code, reason = "the other laws use the rest")]
+mod strategies;
 mod doo_sabin;
+mod doo_sabin_meshes;
+#[allow(dead_code, reason = "for now")]
+mod meshes;
 mod nets;

@@ -5,11 +5,6 @@ use proptest::collection::vec;
 use proptest::prelude::*;
 use symspline::{ControlMesh, Q, Result, Scalar, Topology};
 
-/// The settings of a law that runs `4 n` times.
-pub fn cases(n: u32) -> ProptestConfig {
-    ProptestConfig { cases: 4 * n, max_shrink_iters: 10_000, ..ProptestConfig::default() }
-}
-
 /// A grid of vertices `(i, j)`, numbered `i n + j`, with a four-sided face between any four.
 #[derive(Clone, Debug)]
 pub struct Net {
