@@ -189,9 +189,13 @@ impl<T: Scalar, const N: usize> DooSabin<T, N> {
     /// Edges that run along edges of this mesh, which are the edges `h` for its half-edges `h`, get the interval 0, those around its
     /// vertices that of the vertex in their direction: 1 if there are none, the mean if the two ends differ. Where all faces have
     /// four sides and all inner vertices four faces, this is elevation of degree from 2 to 3 in both directions, exactly. At other faces,
-    /// and at vertices with another number of faces, the surfaces differ: at the limit of a vertex `P_0` in three faces with four sides,
-    /// next to `P_1 .. P_3` and across from `P_4 .. P_6`, by
-    /// `19/1152 P_0 - 7/1728 (P_1 + P_2 + P_3) - 5/3456 (P_4 + P_5 + P_6)`, [Miura] (27).
+    /// and at vertices with another number of faces, the surfaces differ: at the limit of a vertex `P` in `n` faces with four sides, with `e`
+    /// the mean of its neighbours and `f` that of the corners across the faces, by
+    ///
+    /// ```text
+    /// (4 - n) (19 P - 14 e - 5 f) / 144 (n + 5)
+    /// ```
+    /// which is [Miura] (27) for `n = 3`. In the middle of a face they agree.
     ///
     /// # Errors
     /// [`MeshError::IrrationalWeights`](crate::MeshError::IrrationalWeights) as in [`refined`](Self::refined);

@@ -7,6 +7,7 @@ mod nurbs_book;
 mod nurbs_pulls;
 mod nurbs_weights;
 mod subdivision;
+mod subdivision_surfaces;
 mod surfaces;
 mod vassilev;
 
