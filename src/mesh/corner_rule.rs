@@ -163,3 +163,34 @@ impl<'a, T: Scalar, const N: usize> CornerRule<'a, T, N> {
         Some(&corners[i] * (far / &whole) + &corners[other] * (own / &whole))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::exact::Q;
+    use crate::mesh::face_rule::FaceRule;
+
+    /// The formula of [Sederberg], term by term, for a face with six sides, where `cos(2π k / 6)` are halves.
+    #[test]
+    fn six_sides_are_those_of_the_formula() {
+        let corner = |k: i64| SVector::from([Q::int(k * k % 7), Q::int(3 * k % 5)]);
+        let corners: Vec<SVector<Q, 2>> = (0..6).map(corner).collect();
+        let mesh = ControlMesh::new(corners.clone(), [[0, 1, 2, 3, 4, 5]]).unwrap();
+        // At the beginning of side k, and at its end.
+        let d: Vec<[Q; 2]> = (0..6).map(|k| [Q::int(k % 4 + 1), Q::int(k * k % 5 + 2)]).collect();
+        let c = |k: usize| d[(k + 5) % 6][0].clone() * &d[k % 6][1];
+        let sum = (0..6).fold(Q::int(0), |sum, k| sum + c(k));
+        let v = (0..6).fold(SVector::zeros(), |v, k| v + &corners[k] * (c(k) / &sum));
+        let cosines = [2, 1, -1, -2, -1, 1].map(|n| Q::frac(n, 2));
+
+        let mut rule = CornerRule::new(&mesh, Some(&d), Boundary::Open);
+        let mut moved = Vec::new();
+        rule.apply(FaceRule::DooSabin.share(), 0, &corners, &mut Waves::default(), &mut moved).unwrap();
+        for i in 0..6 {
+            let term = |j: usize| &corners[j] * (Q::int(1) + Q::int(2) * &cosines[(6 + i - j) % 6]);
+            let bent = (0..6).fold(&corners[i] * Q::int(-6), |bent, j| bent + term(j));
+            let far = (c(i + 2) + c(i + 4)) / (Q::int(8) * &sum);
+            assert_eq!(moved[i], (&v + &corners[i]) / Q::int(2) + bent * far, "corner {i}");
+        }
+    }
+}

@@ -1,6 +1,6 @@
 //! Doo-Sabin surfaces, and their conversion to Catmull-Clark surfaces.
 
-use crate::nets::{Net, intervals, net, sums};
+use crate::nets::{Net, intervals, net, sorted, sums};
 use crate::strategies::cases;
 use nalgebra::SVector;
 use proptest::prelude::*;
@@ -41,13 +41,6 @@ fn elevated_space(d: &[Q]) -> Result<SplineSpace<Q>> {
     let last = knots.len() - 1;
     let twice = |(k, t): (usize, &Q)| vec![t.clone(); if k == 0 || k == last { 1 } else { 2 }];
     SplineSpace::new(3, around(knots.iter().enumerate().flat_map(twice).collect()))
-}
-
-/// The points in the order of their coordinates: vertices of a subdivided grid have another order than coefficients.
-fn sorted<const N: usize>(points: &[SVector<Q, N>]) -> Vec<Vec<Q>> {
-    let mut rows: Vec<Vec<Q>> = points.iter().map(|p| p.iter().cloned().collect()).collect();
-    rows.sort_by(|a, b| a.partial_cmp(b).expect("rationals"));
-    rows
 }
 
 /// The intervals with those at the ends replaced by 0: the ends of a clamped spline.

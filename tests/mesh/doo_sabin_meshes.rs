@@ -1,6 +1,7 @@
 //! Doo-Sabin surfaces over meshes of any sort.
 
 use crate::meshes::{any_mesh, boundary, interval};
+use crate::nets::sorted;
 use crate::strategies::cases;
 use nalgebra::{SMatrix, SVector, vector};
 use proptest::collection::vec;
@@ -66,6 +67,35 @@ proptest! {
             let fits = if fine.is_boundary(v) { (2..=4).contains(&valence) } else { valence == 4 };
             prop_assert!(fits, "{} edges at vertex {}", valence, v);
         }
+    }
+
+    /// The rules know no left and right.
+    #[test]
+    fn surfaces_turned_over_are_the_same(surface in surface()) {
+        let (mesh, topology) = (surface.mesh(), surface.mesh().topology());
+        let over = topology.faces().map(|mut face| {
+            face.reverse();
+            face
+        });
+        let over = ControlMesh::new(mesh.points().to_vec(), over)?;
+        let over = match surface.intervals() {
+            None => DooSabin::new(over, surface.boundary()),
+            Some(d) => {
+                let pair = |[v, w]: [usize; 2]| {
+                    let e = topology.edges_at(v).find(|e| topology.ends(*e).contains(&w)).expect("the same edges");
+                    let mut pair = d[e].clone();
+                    if topology.ends(e) != [v, w] {
+                        pair.reverse();
+                    }
+                    pair
+                };
+                let intervals = over.topology().edges().map(pair).collect();
+                DooSabin::with_intervals(over, intervals, surface.boundary())?
+            }
+        };
+        prop_assert_eq!(sorted(over.refined(1)?.mesh().points()), sorted(surface.refined(1)?.mesh().points()));
+        prop_assert_eq!(sorted(over.converted()?.mesh().points()), sorted(surface.converted()?.mesh().points()));
+        prop_assert_eq!(over.limit_points().ok(), surface.limit_points().ok());
     }
 
     #[test]

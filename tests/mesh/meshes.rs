@@ -108,6 +108,7 @@ pub fn closed() -> impl Strategy<Value = Faces> {
         prism(3),
         prism(4),
         prism(5),
+        prism(6),
         prism(7),
         torus(3, 4),
         torus(5, 3),

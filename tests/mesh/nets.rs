@@ -69,3 +69,10 @@ pub fn sums(intervals: &[Q]) -> Vec<Q> {
     };
     std::iter::once(Q::int(0)).chain(intervals.iter().scan(Q::int(0), next)).collect()
 }
+
+/// The points in the order of their coordinates: vertices of a subdivided grid have another order than coefficients.
+pub fn sorted<const N: usize>(points: &[SVector<Q, N>]) -> Vec<Vec<Q>> {
+    let mut rows: Vec<Vec<Q>> = points.iter().map(|p| p.iter().cloned().collect()).collect();
+    rows.sort_by(|a, b| a.partial_cmp(b).expect("rationals"));
+    rows
+}
