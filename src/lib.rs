@@ -29,7 +29,7 @@
 //! - fine tuning: [`fine_tune`];
 //! - shape tools: control points, weights, warps, bends, constraints: [`shape`];
 //! - deformable splines: materials, forces, constraints at least energy: [`deform`];
-//! - subdivision curves and surfaces: [`mesh`];
+//! - subdivision curves and surfaces: [`mesh`]; OBJ files of meshes: the module `io::obj`, behind the feature `obj`;
 //! - pictures: the module `plot`, behind the feature of that name.
 
 // The modules from the ground up: a module uses only what stands above it (tests/floors.rs).
@@ -71,6 +71,8 @@ pub mod constrain;
 pub mod fine_tune;
 pub mod shape;
 pub mod deform;
+#[cfg(any(feature = "obj", feature = "plot"))]
+pub mod io;
 #[cfg(feature = "plot")]
 pub mod plot;
 
@@ -119,6 +121,7 @@ pub use deform::stiffness::Stiffness;
 pub use dense::solve_dense;
 pub use error::deform::DeformError;
 pub use error::mesh::MeshError;
+pub use error::obj::ObjError;
 pub use error::shape::ShapeError;
 pub use error::skin::SkinError;
 pub use error::tune::TuneError;
@@ -129,6 +132,9 @@ pub use fine_tune::condition::Condition;
 pub use fine_tune::hold::{Held, Hold};
 pub use fine_tune::joint::{Jointed, Turn};
 pub use fine_tune::local::LocallyTuned;
+pub use fine_tune::mesh::loops::EdgeLoops;
+pub use fine_tune::mesh::springs::{Descend, MeshSprings};
+pub use fine_tune::mesh::tuned::{Progress, RelaxedMesh};
 pub use fine_tune::nearest_scale::NearestScale;
 pub use fine_tune::scale::{Scale, ScaleFunction};
 pub use fine_tune::scale_space::ScaleSpace;
@@ -148,6 +154,8 @@ pub use map::LinearMap;
 pub use mesh::boundary::Boundary;
 pub use mesh::catmull_clark::CatmullClark;
 pub use mesh::control_mesh::ControlMesh;
+pub use mesh::control_polygon::ControlPolygon;
+pub use mesh::cubic_polygon::CubicPolygon;
 pub use mesh::doo_sabin::DooSabin;
 pub use mesh::topology::Topology;
 pub use ops::bound::Approximation;

@@ -1,5 +1,7 @@
 //! What is wrong with a mesh.
 
+use crate::error::obj::ObjError;
+
 /// What is wrong with a mesh.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
@@ -79,6 +81,14 @@ pub enum MeshError {
         /// Its place among them.
         index: usize,
     },
+    /// Knot intervals around a vertex are so irregular that its limit is not known.
+    #[error(
+        "the limit of vertex {vertex} is not known: the knot intervals around it differ from step to step"
+    )]
+    Unsettled {
+        /// The vertex.
+        vertex: usize,
+    },
     /// A knot interval is negative.
     #[error("knot interval {index} is {interval}, which is negative")]
     NegativeInterval {
@@ -86,5 +96,24 @@ pub enum MeshError {
         index: usize,
         /// The interval.
         interval: String,
+    },
+    /// So many knot intervals in a row vanish that a curve would jump there.
+    #[error("{count} knot intervals from {index} on vanish: the curve would be torn")]
+    Torn {
+        /// The place of the first in the list.
+        index: usize,
+        /// How many there are in a row, the degree of the curve.
+        count: usize,
+    },
+    /// No mesh was read: see [`ObjError`].
+    #[error(transparent)]
+    Obj(#[from] ObjError),
+    /// Loops of opposite edges go through vertices with four edges.
+    #[error("vertex {vertex} has {edges} edges: only of four are two opposite to two")]
+    NoOppositeEdges {
+        /// The vertex.
+        vertex: usize,
+        /// How many edges there are at it.
+        edges: usize,
     },
 }

@@ -1,6 +1,7 @@
 //! What can go wrong, as one enum with data.
 
 pub mod deform;
+pub mod obj;
 pub mod mesh;
 pub mod shape;
 pub mod skin;

@@ -47,4 +47,20 @@ pub enum TuneError {
         /// The edge.
         edge: String,
     },
+    /// A value of a scale on the edges of a mesh is not a positive number.
+    #[error("the scale on edge {edge} is {value}, which is not a positive number")]
+    EdgeScale {
+        /// The edge of the mesh.
+        edge: usize,
+        /// The value.
+        value: String,
+    },
+    /// An edge of a converted mesh has no length, or is to have none, so that it makes no angle with others.
+    #[error(
+        "edge {edge} of the converted mesh has no length, or none is asked for: its angles are undefined"
+    )]
+    ZeroEdge {
+        /// The edge of the converted mesh.
+        edge: usize,
+    },
 }

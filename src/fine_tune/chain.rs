@@ -39,7 +39,7 @@ fn leg<const N: usize>(points: &[f64], i: usize) -> SVector<f64, N> {
 }
 
 /// Direction and length of a leg; of none the direction is zero.
-fn direction<const N: usize>(leg: &SVector<f64, N>) -> (SVector<f64, N>, f64) {
+pub(crate) fn direction<const N: usize>(leg: &SVector<f64, N>) -> (SVector<f64, N>, f64) {
     let length = leg.norm();
     if length > 0.0 { (leg / length, length) } else { (SVector::zeros(), 0.0) }
 }

@@ -7,6 +7,7 @@
 
 use crate::error::{Error, Result};
 use crate::fine_tune::chain::Chain;
+use crate::fine_tune::frame::{Frame, NOTHING};
 use crate::fine_tune::joint::Jointed;
 use crate::fine_tune::legs::{legs, scaled_speed};
 use crate::fine_tune::minimise::{Limits, minimise};
@@ -16,9 +17,6 @@ use crate::fine_tune::turn::Turnable;
 use crate::spline::{Curve, Function, Spline};
 use crate::vector::{length, unit};
 use nalgebra::SVector;
-
-/// Control points of a derivative shorter than the longest by this factor are zero but for rounding.
-const NOTHING: f64 = 256.0 * f64::EPSILON;
 
 /// A closed curve whose control polygon is a chain of springs at rest.
 #[derive(Clone, Debug, PartialEq)]
@@ -92,7 +90,7 @@ where
         springs: &Springs,
     ) -> Result<Relaxed<N>> {
         let alpha = alpha.into().function()?;
-        let frame = Frame::of(self)?;
+        let frame = Frame::of(self.coeffs())?;
         let small = self.map_coeffs(|point| frame.inward(point))?;
         let speed = scaled_speed(&small, alpha)?;
         springs.check(speed.coeffs().len())?;
@@ -133,33 +131,6 @@ where
             gradient: descent.gradient,
             converged: descent.converged,
         })
-    }
-}
-
-/// The points in units of the longest side of a bounding box, from one of them.
-struct Frame<const N: usize> {
-    origin: SVector<f64, N>,
-    side: f64,
-}
-
-impl<const N: usize> Frame<N> {
-    fn of(curve: &Curve<f64, N>) -> Result<Self> {
-        let points = curve.coeffs();
-        let (low, high) =
-            points.iter().fold((points[0], points[0]), |(low, high), p| (low.inf(p), high.sup(p)));
-        match (high - low).max() {
-            0.0 => Err(Error::NoLength),
-            side if side.is_finite() => Ok(Self { origin: points[0], side }),
-            _ => Err(Error::NotFinite { what: "side of the bounding box", index: 0 }),
-        }
-    }
-
-    fn inward(&self, point: &SVector<f64, N>) -> SVector<f64, N> {
-        (point - self.origin) / self.side
-    }
-
-    fn outward(&self, point: &SVector<f64, N>) -> SVector<f64, N> {
-        self.origin + point * self.side
     }
 }
 

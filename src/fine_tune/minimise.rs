@@ -62,6 +62,11 @@ pub(crate) trait Energy {
 
     /// Multiplies a gradient by `M`, which is symmetric and positive.
     fn soften(&mut self, _: &mut [f64]) {}
+
+    /// Told after so many steps the value and the length of the gradient; whether to go on.
+    fn goes_on(&mut self, _steps: usize, _value: f64, _gradient: f64) -> bool {
+        true
+    }
 }
 
 impl<F: FnMut(&[f64], &mut [f64]) -> f64> Energy for F {
@@ -94,7 +99,8 @@ pub(crate) fn minimise<F: Energy>(x: &mut [f64], limits: &Limits, energy: &mut F
             slope = -square;
         }
         let spent = iterations >= limits.iterations || probe.evaluations >= limits.evaluations;
-        if spent || square.is_nan() || square.sqrt() <= limits.gradient {
+        let done = square.is_nan() || square.sqrt() <= limits.gradient;
+        if done || spent || !probe.energy.goes_on(iterations, here.value, square.sqrt()) {
             break;
         }
         // The natural first step is 1; then the value is to fall by as much as in the last one.

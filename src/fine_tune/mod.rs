@@ -21,5 +21,7 @@ mod legs;
 pub mod joint;
 pub mod springs;
 mod chain;
+mod frame;
 pub mod closed;
 pub mod surface;
+pub mod mesh;

@@ -21,51 +21,68 @@ pub(super) fn check_refined(half_edges: usize, depth: usize) -> Result<()> {
     check_size(grown.map_or(usize::MAX, |factor| half_edges.saturating_mul(factor)))
 }
 
-/// See [`Topology::new`].
-pub(super) fn topology<F: AsRef<[usize]>>(
-    vertices: usize,
-    faces: impl IntoIterator<Item = F>,
-) -> Result<Topology> {
-    check_size(vertices)?;
-    let (mut origins, mut starts, mut owners) = (Vec::new(), vec![0], Vec::new());
-    // The face that came to a vertex last.
-    let mut seen = vec![NONE; vertices];
-    for (face, corners) in faces.into_iter().enumerate() {
-        let corners = corners.as_ref();
-        if corners.len() < 3 {
-            return Err(MeshError::DegenerateFace { face }.into());
-        }
-        check_size(origins.len().saturating_add(corners.len()))?;
-        for (corner, &vertex) in corners.iter().enumerate() {
-            let last = seen.get_mut(vertex);
-            let last = last.ok_or(MeshError::NoSuchVertex { face, corner, vertex, count: vertices })?;
-            if std::mem::replace(last, face as u32) == face as u32 {
+impl Topology {
+    /// The topology of faces given by their corners, counter-clockwise as seen from outside, over vertices `0 .. vertices`.
+    ///
+    /// # Errors
+    /// [`MeshError::NoFaces`](crate::MeshError::NoFaces),
+    /// [`MeshError::DegenerateFace`](crate::MeshError::DegenerateFace),
+    /// [`MeshError::NoSuchVertex`](crate::MeshError::NoSuchVertex),
+    /// [`MeshError::NonManifoldEdge`](crate::MeshError::NonManifoldEdge),
+    /// [`MeshError::InconsistentFaces`](crate::MeshError::InconsistentFaces),
+    /// [`MeshError::NonManifoldVertex`](crate::MeshError::NonManifoldVertex),
+    /// [`MeshError::UnusedVertex`](crate::MeshError::UnusedVertex);
+    /// [`Error::TooLarge`](crate::Error::TooLarge).
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::{MeshError, Topology};
+    /// let turned_over = Topology::new(4, [[0, 1, 2], [1, 2, 3]]);
+    /// assert_eq!(turned_over, Err(MeshError::InconsistentFaces { from: 1, to: 2, first: 0, second: 1 }.into()));
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    pub fn new<F: AsRef<[usize]>>(vertices: usize, faces: impl IntoIterator<Item = F>) -> Result<Self> {
+        check_size(vertices)?;
+        let (mut origins, mut starts, mut owners) = (Vec::new(), vec![0], Vec::new());
+        // The face that came to a vertex last.
+        let mut seen = vec![NONE; vertices];
+        for (face, corners) in faces.into_iter().enumerate() {
+            let corners = corners.as_ref();
+            if corners.len() < 3 {
                 return Err(MeshError::DegenerateFace { face }.into());
             }
-            origins.push(vertex as u32);
-            owners.push(face as u32);
+            check_size(origins.len().saturating_add(corners.len()))?;
+            for (corner, &vertex) in corners.iter().enumerate() {
+                let last = seen.get_mut(vertex);
+                let last = last.ok_or(MeshError::NoSuchVertex { face, corner, vertex, count: vertices })?;
+                if std::mem::replace(last, face as u32) == face as u32 {
+                    return Err(MeshError::DegenerateFace { face }.into());
+                }
+                origins.push(vertex as u32);
+                owners.push(face as u32);
+            }
+            starts.push(origins.len() as u32);
         }
-        starts.push(origins.len() as u32);
+        if origins.is_empty() {
+            return Err(MeshError::NoFaces.into());
+        }
+        if let Some(vertex) = seen.iter().position(|face| *face == NONE) {
+            return Err(MeshError::UnusedVertex { vertex }.into());
+        }
+        let count = origins.len();
+        let mut built = Topology {
+            origins,
+            starts,
+            faces: owners,
+            twins: vec![NONE; count],
+            edges: vec![NONE; count],
+            sides: Vec::with_capacity(count / 2),
+            leaving: vec![NONE; vertices],
+        };
+        pair(&mut built)?;
+        lead(&mut built)?;
+        Ok(built)
     }
-    if origins.is_empty() {
-        return Err(MeshError::NoFaces.into());
-    }
-    if let Some(vertex) = seen.iter().position(|face| *face == NONE) {
-        return Err(MeshError::UnusedVertex { vertex }.into());
-    }
-    let count = origins.len();
-    let mut built = Topology {
-        origins,
-        starts,
-        faces: owners,
-        twins: vec![NONE; count],
-        edges: vec![NONE; count],
-        sides: Vec::with_capacity(count / 2),
-        leaving: vec![NONE; vertices],
-    };
-    pair(&mut built)?;
-    lead(&mut built)?;
-    Ok(built)
 }
 
 /// Finds the twins: half-edges between the same two vertices, of which there may be one, or two that run against each other.

@@ -106,7 +106,7 @@ impl<T: Scalar, const N: usize> Waves<T, N> {
 }
 
 /// The cosine and sine of `2π k / n`, to about 16 digits.
-fn turn<T: Scalar>(k: usize, n: usize) -> [T; 2] {
+pub(super) fn turn<T: Scalar>(k: usize, n: usize) -> [T; 2] {
     const UNIT: i64 = 1 << 53;
     let (sin, cos) = (std::f64::consts::TAU * (k as f64 / n as f64)).sin_cos();
     [cos, sin].map(|x| T::frac((x * UNIT as f64) as i64, UNIT))

@@ -13,8 +13,6 @@
 //! All faces at a vertex make one fan: around it inside, from boundary to boundary at the boundary. Each step around a vertex or a face
 //! takes constant time.
 
-use crate::error::Result;
-use crate::mesh::build;
 use std::collections::BTreeSet;
 use std::ops::Range;
 
@@ -52,29 +50,6 @@ pub struct Topology {
 }
 
 impl Topology {
-    /// The topology of faces given by their corners, counter-clockwise as seen from outside, over vertices `0 .. vertices`.
-    ///
-    /// # Errors
-    /// [`MeshError::NoFaces`](crate::MeshError::NoFaces),
-    /// [`MeshError::DegenerateFace`](crate::MeshError::DegenerateFace),
-    /// [`MeshError::NoSuchVertex`](crate::MeshError::NoSuchVertex),
-    /// [`MeshError::NonManifoldEdge`](crate::MeshError::NonManifoldEdge),
-    /// [`MeshError::InconsistentFaces`](crate::MeshError::InconsistentFaces),
-    /// [`MeshError::NonManifoldVertex`](crate::MeshError::NonManifoldVertex),
-    /// [`MeshError::UnusedVertex`](crate::MeshError::UnusedVertex);
-    /// [`Error::TooLarge`](crate::Error::TooLarge).
-    ///
-    /// # Examples
-    /// ```
-    /// use symspline::{MeshError, Topology};
-    /// let turned_over = Topology::new(4, [[0, 1, 2], [1, 2, 3]]);
-    /// assert_eq!(turned_over, Err(MeshError::InconsistentFaces { from: 1, to: 2, first: 0, second: 1 }.into()));
-    /// # Ok::<(), symspline::Error>(())
-    /// ```
-    pub fn new<F: AsRef<[usize]>>(vertices: usize, faces: impl IntoIterator<Item = F>) -> Result<Self> {
-        build::topology(vertices, faces)
-    }
-
     /// How many vertices there are.
     pub fn vertex_count(&self) -> usize {
         self.leaving.len()

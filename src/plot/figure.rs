@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use crate::error::{Error, Result};
+use crate::io::file::write;
 use crate::plot::draw::drawn;
-use crate::plot::file::write;
 use crate::plot::layout::layout;
 use crate::plot::panel::Panel;
 use crate::plot::png::png;

@@ -29,7 +29,6 @@
 //! ```
 
 mod trace;
-mod file;
 mod style;
 mod svg;
 mod text;
@@ -50,7 +49,8 @@ pub use figure::Figure;
 pub use kurbo::{BezPath, Point};
 pub use panel::Panel;
 pub use solid::{
-    ColorMap, ColorScale, Image, Mesh, Meshed, Paint, Scene, View, control_net, glb, knot_lines, write_glb,
+    ColorMap, ColorScale, Image, Mesh, Meshed, Paint, Scene, View, control_net, edge_lines, glb, knot_lines,
+    write_glb,
 };
 pub use style::{Color, Dash, Marker, Style};
 pub use trace::{curve_path, graph_path};

@@ -3,8 +3,10 @@
 #[path = "../laws/strategies.rs"]
 #[allow(dead_code, reason = "the other laws use the rest")]
 mod strategies;
+mod catmull_clark;
 mod doo_sabin;
 mod doo_sabin_meshes;
-#[allow(dead_code, reason = "for now")]
+mod grids;
+mod limits;
 mod meshes;
 mod nets;

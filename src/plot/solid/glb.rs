@@ -5,7 +5,7 @@
 //! the node of the scene turns everything.
 
 use crate::error::{Error, Result};
-use crate::plot::file::write;
+use crate::io::file::write;
 use crate::plot::solid::Point3;
 use crate::plot::solid::color_map::linear;
 use crate::plot::solid::mesh::Mesh;

@@ -5,7 +5,7 @@
 //!               \--> glTF binary, for viewers
 //! ```
 //!
-//! A [`Mesh`] has points, normals and a value a vertex; it comes from a spline surface or from faces of any origin. A
+//! A [`Mesh`] has points, normals and a value a vertex; it comes from a spline surface, from a control mesh, or from faces of any origin. A
 //! [`ColorScale`] says which colour a value has; shared by several pictures, it makes them comparable. A [`Scene`] is
 //! looked at along a [`View`], with light from the upper left and lines hidden by what is in front of them.
 //!
@@ -40,10 +40,12 @@ mod view;
 mod raster;
 mod light;
 mod scene;
+mod control;
 mod glb;
 
 pub use color_map::ColorMap;
 pub use color_scale::ColorScale;
+pub use control::edge_lines;
 pub use glb::{glb, write_glb};
 pub use image::Image;
 pub use lines::{control_net, knot_lines};

@@ -56,6 +56,8 @@ struct Line {
     points: Vec<Point3>,
     color: Color,
     width: f64,
+    /// In units of [`LIFT`]: the same for all lines, more for what lies on them.
+    lift: f64,
 }
 
 impl<'a> Scene<'a> {
@@ -72,7 +74,7 @@ impl<'a> Scene<'a> {
 
     /// Adds a line through points, `width` pixels of the picture wide. It is hidden where a mesh is in front of it.
     pub fn line(mut self, points: impl IntoIterator<Item = Point3>, color: Color, width: f64) -> Self {
-        self.lines.push(Line { points: points.into_iter().collect(), color, width });
+        self.lines.push(Line { points: points.into_iter().collect(), color, width, lift: 1.0 });
         self
     }
 
@@ -84,6 +86,13 @@ impl<'a> Scene<'a> {
         width: f64,
     ) -> Self {
         lines.into_iter().fold(self, |scene, points| scene.line(points, color, width))
+    }
+
+    /// Adds round dots, `width` pixels of the picture wide, hidden as lines are, and in front of these.
+    pub fn dots(mut self, points: impl IntoIterator<Item = Point3>, color: Color, width: f64) -> Self {
+        let dot = |point| Line { points: vec![point; 2], color, width, lift: 2.0 };
+        self.lines.extend(points.into_iter().map(dot));
+        self
     }
 
     /// The picture of the scene on white.
@@ -127,7 +136,7 @@ impl<'a> Scene<'a> {
             for line in &self.lines {
                 let places: Vec<_> = line.points.iter().map(|p| projection.place(p)).collect();
                 for ends in places.windows(2) {
-                    raster.line([ends[0], ends[1]], line.width, lift, linear(line.color));
+                    raster.line([ends[0], ends[1]], line.width, lift * line.lift, linear(line.color));
                 }
             }
             pixels.extend(raster.pixels());

@@ -1,0 +1,181 @@
+//! The edges of a converted mesh as the control values ask for them.
+//!
+//! A value `a` an edge scales the steps along it. An edge of the converted mesh runs along an edge of the old one, a leg `J`, or around an
+//! old vertex, a leg `V` between two of the others in its loop:
+//!
+//! ```text
+//! J → a J,      V → V + ((a_prev - 1) J_next + (a_next - 1) J_prev) / 4
+//! ```
+//! with all three in the direction of the loop. Where the mesh is regular, `J = (2/3) d` and `V = (d_prev + d_next) / 6` with legs `d` of
+//! the old mesh, and this is the rule of closed curves, `(2/3) a d` and `(a_prev d_next + a_next d_prev) / 6`. At the boundary an edge that
+//! fills a corner lies between the two boundary edges there.
+
+use crate::error::tune::TuneError;
+use crate::error::{Error, Result};
+use crate::fine_tune::frame::NOTHING;
+use crate::mesh::topology::Topology;
+use nalgebra::SVector;
+
+/// Refuses scales that are not one positive number an edge.
+pub(super) fn check_scale(alpha: &[f64], edges: usize) -> Result<()> {
+    if alpha.len() != edges {
+        return Err(Error::CoefficientCount { expected: edges, found: alpha.len() });
+    }
+    match alpha.iter().position(|a| !(*a > 0.0 && a.is_finite())) {
+        Some(edge) => Err(TuneError::EdgeScale { edge, value: alpha[edge].to_string() }.into()),
+        None => Ok(()),
+    }
+}
+
+/// The edges of the mesh, each from its first end to its second.
+pub(super) fn legs(fine: &Topology, points: &[SVector<f64, 3>]) -> Vec<SVector<f64, 3>> {
+    fine.edges().map(|[from, to]| points[to] - points[from]).collect()
+}
+
+/// The edges of `fine`, into which `coarse` is converted, as the values `alpha` on the edges of `coarse` ask for them.
+pub(super) fn scaled_legs(
+    coarse: &Topology,
+    fine: &Topology,
+    points: &[SVector<f64, 3>],
+    alpha: &[f64],
+) -> Vec<SVector<f64, 3>> {
+    // Vertex `h` of the fine mesh is the corner of half-edge `h` of the coarse one, edge `h` runs from it to corner `next(h)`.
+    let along = |h: usize| points[coarse.next(h)] - points[h];
+    let value = |h: usize| alpha[coarse.edge_of(h)];
+    let scaled = |(e, [from, to]): (usize, [usize; 2])| {
+        if e < coarse.half_edge_count() {
+            return along(e) * value(e);
+        }
+        let before = coarse.prev(from);
+        let moved = along(to) * (value(before) - 1.0) + along(before) * (value(to) - 1.0);
+        points[to] - points[from] + moved * 0.25
+    };
+    fine.edges().enumerate().map(scaled).collect()
+}
+
+/// Refuses edges that are zero but for rounding: they have no direction.
+pub(super) fn check_legs(legs: &[SVector<f64, 3>]) -> Result<()> {
+    if let Some(index) = legs.iter().position(|leg| !leg.norm().is_finite()) {
+        return Err(Error::NotFinite { what: "edge", index });
+    }
+    let largest = legs.iter().map(SVector::norm).fold(0.0, f64::max);
+    match legs.iter().position(|leg| leg.norm() <= NOTHING * largest) {
+        Some(edge) => Err(TuneError::ZeroEdge { edge }.into()),
+        None => Ok(()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fine_tune::legs;
+    use crate::mesh::boundary::Boundary;
+    use crate::mesh::control_mesh::ControlMesh;
+    use crate::mesh::doo_sabin::DooSabin;
+    use crate::spline::{Curve, Function};
+    use nalgebra::vector;
+
+    const M: usize = 5;
+    const N: usize = 7;
+
+    /// A torus without pattern: vertex `i + M j`, faces counter-clockwise from it.
+    fn torus() -> ControlMesh<f64, 3> {
+        let noise = |k: usize| (k * k * 7 + 3 * k) as f64 % 13.0 / 40.0;
+        let point = |k: usize| {
+            let (u, v) = ((k % M) as f64 * 1.2566, (k / M) as f64 * 0.8976);
+            let radius = 3.0 + v.cos() + noise(k);
+            vector![radius * u.cos(), radius * u.sin() + noise(k + 3), v.sin() + noise(k + 11)]
+        };
+        let face = |k: usize| {
+            let at = |i: usize, j: usize| i % M + M * (j % N);
+            let (i, j) = (k % M, k / M);
+            [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)]
+        };
+        ControlMesh::new((0..M * N).map(point).collect(), (0..M * N).map(face)).unwrap()
+    }
+
+    #[test]
+    fn on_regular_meshes_this_is_the_rule_of_closed_curves() {
+        let mesh = torus();
+        let coarse = mesh.topology();
+        let surface = DooSabin::new(mesh.clone(), Boundary::Smooth).converted().unwrap();
+        let (fine, points) = (surface.mesh().topology(), surface.mesh().points());
+        // One value for all edges from column `i` to the next, and one for those from row `j` to the next.
+        let (columns, rows) = ([1.3, 0.8, 1.0, 1.7, 0.6], [0.9, 1.0, 1.4, 0.7, 1.1, 2.0, 0.5]);
+        let mut alpha = vec![0.0; coarse.edge_count()];
+        for h in 0..coarse.half_edge_count() {
+            let (f, side) = (coarse.face_of(h), h % 4);
+            let (i, j) = (f % M, f / M);
+            alpha[coarse.edge_of(h)] = if side % 2 == 0 { columns[i] } else { rows[j] };
+        }
+        let found = scaled_legs(coarse, fine, points, &alpha);
+        let find = |from: usize, to: usize| {
+            let e = fine.edge_between(from, to).unwrap();
+            if fine.ends(e) == [from, to] { found[e] } else { -found[e] }
+        };
+        let corner = |i: usize, j: usize, side: usize| 4 * (i % M + M * (j % N)) + side;
+        let p = |i: usize, j: usize| mesh.points()[i % M + M * (j % N)];
+        let close = |a: SVector<f64, 3>, b: SVector<f64, 3>| assert!((a - b).norm() < 1e-13, "{a} {b}");
+        for (j, far) in (0..N).flat_map(|j| [(j, 0), (j, 1)]) {
+            // The row at a sixth, or at five sixths, from row j to the next.
+            let (near, beyond) = if far == 0 { (5.0 / 6.0, 1.0 / 6.0) } else { (1.0 / 6.0, 5.0 / 6.0) };
+            let row = (0..M).map(|i| p(i, j) * near + p(i, j + 1) * beyond).collect();
+            let curve = Curve::closed(2, row).unwrap();
+            let expected = legs::legs(
+                &legs::scaled_speed(&curve, &Function::closed(1, columns.to_vec()).unwrap()).unwrap(),
+            );
+            let ring = |i: usize| {
+                let [a, b] = if far == 0 { [0, 1] } else { [3, 2] };
+                [find(corner(i, j, a), corner(i, j, b)), find(corner(i, j, b), corner(i + 1, j, a))]
+            };
+            // Where the curve starts in its ring is its own affair.
+            let found: Vec<_> = (0..M).flat_map(ring).collect();
+            let shift = (0..2 * M).find(|s| (expected[*s] - found[0]).norm() < 1e-13).expect("the first leg");
+            (0..2 * M).for_each(|k| close(found[k], expected[(k + shift) % (2 * M)]));
+        }
+        for (i, far) in (0..M).flat_map(|i| [(i, 0), (i, 1)]) {
+            let (near, beyond) = if far == 0 { (5.0 / 6.0, 1.0 / 6.0) } else { (1.0 / 6.0, 5.0 / 6.0) };
+            let d = |j: usize| {
+                let at = |j: usize| p(i, j) * near + p(i + 1, j) * beyond;
+                at(j + 1) - at(j)
+            };
+            for j in 0..N {
+                let [a, b] = if far == 0 { [0, 3] } else { [1, 2] };
+                close(find(corner(i, j, a), corner(i, j, b)), d(j) * (rows[j] * 2.0 / 3.0));
+                let next = (j + 1) % N;
+                let around = (d(next) * rows[j] + d(j) * rows[next]) / 6.0;
+                close(find(corner(i, j, b), corner(i, j + 1, a)), around);
+            }
+        }
+    }
+
+    #[test]
+    fn ones_ask_for_what_is_there() {
+        let mesh = torus();
+        let surface = DooSabin::new(mesh.clone(), Boundary::Smooth).converted().unwrap();
+        let (fine, points) = (surface.mesh().topology(), surface.mesh().points());
+        let ones = vec![1.0; mesh.topology().edge_count()];
+        assert_eq!(scaled_legs(mesh.topology(), fine, points, &ones), legs(fine, points));
+    }
+
+    #[test]
+    fn the_boundary_of_a_filled_corner_lies_between_boundary_edges() {
+        // An L of three squares, with vertex 4 at its inner corner: from 5 over 4 to 7.
+        let points = [[0, 0], [1, 0], [2, 0], [0, 1], [1, 1], [2, 1], [0, 2], [1, 2]];
+        let points = points.iter().map(|[x, y]| vector![f64::from(*x), f64::from(*y), 0.0]).collect();
+        let mesh = ControlMesh::new(points, [[0, 1, 4, 3], [1, 2, 5, 4], [3, 4, 7, 6]]).unwrap();
+        let coarse = mesh.topology();
+        let surface = DooSabin::new(mesh.clone(), Boundary::Smooth).converted().unwrap();
+        let (fine, points) = (surface.mesh().topology(), surface.mesh().points());
+        let mut alpha = vec![1.0; coarse.edge_count()];
+        alpha[coarse.edge_between(5, 4).unwrap()] = 3.0;
+        alpha[coarse.edge_between(4, 7).unwrap()] = 2.0;
+        let fill = fine.edge_count() - 1;
+        // Corners 6 and 7 are those of vertices 5 and 4 in the second square, 9 and 10 of 4 and 7 in the third.
+        assert_eq!(fine.ends(fill), [7, 9]);
+        let (before, after) = (points[7] - points[6], points[10] - points[9]);
+        let expected = points[9] - points[7] + (after * 2.0 + before) / 4.0;
+        let found = scaled_legs(coarse, fine, points, &alpha)[fill];
+        assert!((found - expected).norm() < 1e-15, "{found} {expected}");
+    }
+}

@@ -1,0 +1,6 @@
+//! Laws of fine-tuned subdivision surfaces.
+
+mod shapes;
+mod oracle;
+mod hostile;
+mod laws;
