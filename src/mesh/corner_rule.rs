@@ -57,7 +57,7 @@ impl<'a, T: Scalar, const N: usize> CornerRule<'a, T, N> {
     }
 
     /// The intervals that count in the face of half-edge `h`, of its edge, where it begins and at the other end.
-    fn side(&self, h: usize) -> [T; 2] {
+    pub(super) fn side(&self, h: usize) -> [T; 2] {
         let topology = self.mesh.topology();
         let bounded = |h: usize| !self.open() && topology.twin(h).is_none();
         // Across the boundary, and along it where it has a corner: before and after the edge in question.

@@ -157,6 +157,13 @@ impl<T: Scalar, const N: usize> DooSabin<T, N> {
         CornerRule::new(&self.mesh, self.intervals(), self.boundary)
     }
 
+    /// The shares of the two knot intervals of the edge of half-edge `h` in their sum, as they count in its face.
+    pub(crate) fn shares(&self, h: usize) -> [T; 2] {
+        let [near, far] = self.rule().side(h);
+        let whole = near.clone() + &far;
+        if whole.is_zero() { [T::frac(1, 2), T::frac(1, 2)] } else { [near / &whole, far / &whole] }
+    }
+
     /// The knot intervals at the new vertices, in the directions of the new edges in their order (see `dual`), before any refinement.
     fn spread(&self) -> Vec<[T; 2]> {
         let topology = self.mesh.topology();

@@ -23,9 +23,10 @@ mod shape_weights;
 mod shape_warps;
 mod shape_bends;
 mod deform;
+mod subdivision;
 
 /// The categories tested here, with their numbers of cases.
-const TESTED: [(&str, usize); 58] = [
+const TESTED: [(&str, usize); 64] = [
     ("basis", 22),
     ("curve_ders", 3),
     ("hodograph", 3),
@@ -84,6 +85,12 @@ const TESTED: [(&str, usize); 58] = [
     ("vassilev_move", 3),
     ("vassilev_forces", 1),
     ("vassilev_surface_move", 2),
+    ("face_rules", 3),
+    ("chaikin_closed", 1),
+    ("valence3_limit", 1),
+    ("nonuniform_cubic_midpoint", 1),
+    ("nurccs_grid", 3),
+    ("conversion_topology", 2),
 ];
 
 /// The file holds what its header promises, and nothing that is not tested.
@@ -99,5 +106,5 @@ fn every_case_is_counted() {
     assert_eq!(ids.len(), tested.iter().map(|(_, count)| count).sum::<usize>());
     ids.sort_unstable();
     ids.dedup();
-    assert_eq!(ids.len(), 275, "distinct cases");
+    assert_eq!(ids.len(), 286, "distinct cases");
 }

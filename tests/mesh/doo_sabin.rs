@@ -2,7 +2,6 @@
 
 use crate::nets::{Net, intervals, net, sorted, sums};
 use crate::strategies::cases;
-use nalgebra::SVector;
 use proptest::prelude::*;
 use symspline::{Boundary, DooSabin, Q, Result, Scalar, SplineSpace, Surface};
 

@@ -26,7 +26,8 @@ fn weights(n: usize) -> Result<[[Q; 3]; 2]> {
     let converted = surface.converted()?;
     let topology = converted.mesh().topology();
     let centre = topology.vertex_count() + topology.edge_count() + face;
-    let catmull_clark = converted.refined(1)?.limit_points()?[centre].clone();
+    let limits = converted.refined(1)?.limit_points()?;
+    let catmull_clark = limits[centre].clone().expect("a closed surface");
     // All neighbours together have the weight of one component.
     let share = |sum: &SVector<Q, 3>| {
         let all = Q::int(n as i64);

@@ -213,10 +213,11 @@ pub(super) mod tests {
         constants: &Constants,
     ) -> Net {
         let coarse = mesh.shared_topology().clone();
-        let surface = DooSabin::new(mesh, Boundary::Smooth).converted().unwrap();
+        let old = DooSabin::new(mesh, Boundary::Smooth);
+        let surface = old.converted().unwrap();
         let (fine, points) = (surface.mesh().topology(), surface.mesh().points());
         let alpha: Vec<f64> = (0..coarse.edge_count()).map(alpha).collect();
-        let wanted = scaled_legs(&coarse, fine, points, &alpha);
+        let wanted = scaled_legs(&old, fine, points, &alpha);
         let free: Vec<bool> = (0..fine.vertex_count()).map(free).collect();
         Net::new(fine, points, [&wanted, &legs(fine, points)], &free, whole, constants)
     }

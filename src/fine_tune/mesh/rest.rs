@@ -4,15 +4,18 @@
 //! old vertex, a leg `V` between two of the others in its loop:
 //!
 //! ```text
-//! J → a J,      V → V + ((a_prev - 1) J_next + (a_next - 1) J_prev) / 4
+//! J → a J,      V → V + ((a_prev - 1) s_next J_next + (a_next - 1) s_prev J_prev) / 2
 //! ```
-//! with all three in the direction of the loop. Where the mesh is regular, `J = (2/3) d` and `V = (d_prev + d_next) / 6` with legs `d` of
-//! the old mesh, and this is the rule of closed curves, `(2/3) a d` and `(a_prev d_next + a_next d_prev) / 6`. At the boundary an edge that
-//! fills a corner lies between the two boundary edges there.
+//! with all three in the direction of the loop, and `s` the share of the old vertex in the two knot intervals of the edge along which `J`
+//! runs: 1/2 where intervals are equal, 1 beside a clamped boundary. That is the product with a linear scale on a segment with the speeds
+//! `C'` at its ends, and of length `h`: `V = h (C'_prev + C'_next) / 6`, and `s J = h C' / 3`. Where the mesh is regular and intervals are
+//! equal, `J = (2/3) d` and `V = (d_prev + d_next) / 6` with legs `d` of the old mesh, and this is the rule of closed curves, `(2/3) a d` and
+//! `(a_prev d_next + a_next d_prev) / 6`. At the boundary an edge that fills a corner lies between the two boundary edges there.
 
 use crate::error::tune::TuneError;
 use crate::error::{Error, Result};
 use crate::fine_tune::frame::NOTHING;
+use crate::mesh::doo_sabin::DooSabin;
 use crate::mesh::topology::Topology;
 use nalgebra::SVector;
 
@@ -32,14 +35,15 @@ pub(super) fn legs(fine: &Topology, points: &[SVector<f64, 3>]) -> Vec<SVector<f
     fine.edges().map(|[from, to]| points[to] - points[from]).collect()
 }
 
-/// The edges of `fine`, into which `coarse` is converted, as the values `alpha` on the edges of `coarse` ask for them.
+/// The edges of `fine`, into which `surface` is converted with these points, as the values `alpha` on the edges of its mesh ask for them.
 pub(super) fn scaled_legs(
-    coarse: &Topology,
+    surface: &DooSabin<f64, 3>,
     fine: &Topology,
     points: &[SVector<f64, 3>],
     alpha: &[f64],
 ) -> Vec<SVector<f64, 3>> {
     // Vertex `h` of the fine mesh is the corner of half-edge `h` of the coarse one, edge `h` runs from it to corner `next(h)`.
+    let coarse = surface.mesh().topology();
     let along = |h: usize| points[coarse.next(h)] - points[h];
     let value = |h: usize| alpha[coarse.edge_of(h)];
     let scaled = |(e, [from, to]): (usize, [usize; 2])| {
@@ -47,8 +51,10 @@ pub(super) fn scaled_legs(
             return along(e) * value(e);
         }
         let before = coarse.prev(from);
-        let moved = along(to) * (value(before) - 1.0) + along(before) * (value(to) - 1.0);
-        points[to] - points[from] + moved * 0.25
+        let [[_, behind], [ahead, _]] = [before, to].map(|h| surface.shares(h));
+        let moved =
+            along(to) * (ahead * (value(before) - 1.0)) + along(before) * (behind * (value(to) - 1.0));
+        points[to] - points[from] + moved * 0.5
     };
     fine.edges().enumerate().map(scaled).collect()
 }
@@ -71,7 +77,6 @@ mod tests {
     use crate::fine_tune::legs;
     use crate::mesh::boundary::Boundary;
     use crate::mesh::control_mesh::ControlMesh;
-    use crate::mesh::doo_sabin::DooSabin;
     use crate::spline::{Curve, Function};
     use nalgebra::vector;
 
@@ -98,7 +103,8 @@ mod tests {
     fn on_regular_meshes_this_is_the_rule_of_closed_curves() {
         let mesh = torus();
         let coarse = mesh.topology();
-        let surface = DooSabin::new(mesh.clone(), Boundary::Smooth).converted().unwrap();
+        let old = DooSabin::new(mesh.clone(), Boundary::Smooth);
+        let surface = old.converted().unwrap();
         let (fine, points) = (surface.mesh().topology(), surface.mesh().points());
         // One value for all edges from column `i` to the next, and one for those from row `j` to the next.
         let (columns, rows) = ([1.3, 0.8, 1.0, 1.7, 0.6], [0.9, 1.0, 1.4, 0.7, 1.1, 2.0, 0.5]);
@@ -108,7 +114,7 @@ mod tests {
             let (i, j) = (f % M, f / M);
             alpha[coarse.edge_of(h)] = if side % 2 == 0 { columns[i] } else { rows[j] };
         }
-        let found = scaled_legs(coarse, fine, points, &alpha);
+        let found = scaled_legs(&old, fine, points, &alpha);
         let find = |from: usize, to: usize| {
             let e = fine.edge_between(from, to).unwrap();
             if fine.ends(e) == [from, to] { found[e] } else { -found[e] }
@@ -152,10 +158,11 @@ mod tests {
     #[test]
     fn ones_ask_for_what_is_there() {
         let mesh = torus();
-        let surface = DooSabin::new(mesh.clone(), Boundary::Smooth).converted().unwrap();
+        let old = DooSabin::new(mesh.clone(), Boundary::Smooth);
+        let surface = old.converted().unwrap();
         let (fine, points) = (surface.mesh().topology(), surface.mesh().points());
         let ones = vec![1.0; mesh.topology().edge_count()];
-        assert_eq!(scaled_legs(mesh.topology(), fine, points, &ones), legs(fine, points));
+        assert_eq!(scaled_legs(&old, fine, points, &ones), legs(fine, points));
     }
 
     #[test]
@@ -165,7 +172,8 @@ mod tests {
         let points = points.iter().map(|[x, y]| vector![f64::from(*x), f64::from(*y), 0.0]).collect();
         let mesh = ControlMesh::new(points, [[0, 1, 4, 3], [1, 2, 5, 4], [3, 4, 7, 6]]).unwrap();
         let coarse = mesh.topology();
-        let surface = DooSabin::new(mesh.clone(), Boundary::Smooth).converted().unwrap();
+        let old = DooSabin::new(mesh.clone(), Boundary::Smooth);
+        let surface = old.converted().unwrap();
         let (fine, points) = (surface.mesh().topology(), surface.mesh().points());
         let mut alpha = vec![1.0; coarse.edge_count()];
         alpha[coarse.edge_between(5, 4).unwrap()] = 3.0;
@@ -174,8 +182,9 @@ mod tests {
         // Corners 6 and 7 are those of vertices 5 and 4 in the second square, 9 and 10 of 4 and 7 in the third.
         assert_eq!(fine.ends(fill), [7, 9]);
         let (before, after) = (points[7] - points[6], points[10] - points[9]);
-        let expected = points[9] - points[7] + (after * 2.0 + before) / 4.0;
-        let found = scaled_legs(coarse, fine, points, &alpha)[fill];
+        // The curve along the boundary is clamped in 5 and 7: `h C' / 3` is the whole leg.
+        let expected = points[9] - points[7] + (after * 2.0 + before) / 2.0;
+        let found = scaled_legs(&old, fine, points, &alpha)[fill];
         assert!((found - expected).norm() < 1e-15, "{found} {expected}");
     }
 }

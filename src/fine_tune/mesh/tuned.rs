@@ -58,7 +58,7 @@ impl DooSabin<f64, 3> {
     ///
     /// The [converted](Self::converted) mesh has, for an edge with value `a`, two edges `J` along it, which should become `a J`. Its other
     /// edges `V` run around old vertices, each between two of those in its [loop](crate::EdgeLoops), and should become
-    /// `V + ((a_prev - 1) J_next + (a_next - 1) J_prev) / 4`. That gives the lengths `l_opt` of edges and the angles `θa_opt` between
+    /// `V + ((a_prev - 1) J_next + (a_next - 1) J_prev) / 4`, or other shares of them where knot intervals differ. That gives the lengths `l_opt` of edges and the angles `θa_opt` between
     /// successive edges of a loop; angles `θb` between neighbours around a vertex should stay. The vertices are moved from where they are to
     /// least energy
     ///
@@ -117,7 +117,7 @@ impl DooSabin<f64, 3> {
         let fine = invariant.mesh().topology();
         let points: Vec<Vector> = invariant.mesh().points().iter().map(|point| frame.inward(point)).collect();
         let found = legs(fine, &points);
-        let wanted = scaled_legs(coarse, fine, &points, alpha);
+        let wanted = scaled_legs(self, fine, &points, alpha);
         check_legs(&found)?;
         check_legs(&wanted)?;
         let largest = springs.stretch.max(springs.bend).max(springs.shape);
