@@ -29,7 +29,7 @@
 //! - fine tuning: [`fine_tune`];
 //! - shape tools: control points, weights, warps, bends, constraints: [`shape`];
 //! - deformable splines: materials, forces, constraints at least energy: [`deform`];
-//! - subdivision curves and surfaces: [`mesh`]; OBJ files of meshes: the module `io::obj`, behind the feature `obj`;
+//! - subdivision curves and surfaces: [`mesh`]; OBJ files of meshes: [`io::obj`];
 //! - pictures: the module `plot`, behind the feature of that name.
 
 // The modules from the ground up: a module uses only what stands above it (tests/floors.rs).
@@ -71,7 +71,6 @@ pub mod constrain;
 pub mod fine_tune;
 pub mod shape;
 pub mod deform;
-#[cfg(any(feature = "obj", feature = "plot"))]
 pub mod io;
 #[cfg(feature = "plot")]
 pub mod plot;

@@ -1,7 +1,5 @@
-//! Files: meshes as OBJ files, behind the feature `obj`.
+//! Files: meshes as OBJ files.
 
 pub(crate) mod file;
-#[cfg(feature = "obj")]
 mod lines;
-#[cfg(feature = "obj")]
 pub mod obj;

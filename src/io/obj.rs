@@ -8,22 +8,21 @@
 //! normal as well (`i/t/n`); these, colours of vertices, groups, materials, points and lines are passed over. Numbers are written as
 //! the shortest ones that are read back bit by bit.
 //!
-//! Of the crates that read OBJ files `tobj`, the best kept, renumbers the vertices of each group, which tears meshes apart, and
-//! `obj`, `obj-rs` and `wobj` round to `f32`. So lines are put together here, and each vertex and face is read by `wavefront_rs`,
-//! which keeps `f64` and indices as they stand.
+//! Of the crates that read OBJ files `tobj`, the best kept, renumbers the vertices of each group, which tears meshes apart, `obj`, `obj-rs`
+//! and `wobj` round to `f32`, `wavefront_obj` makes triangles of faces, and `wavefront_rs` is a beta version since 2023. Since two kinds of lines
+//! matter here, they are read by the standard library's parsers of numbers.
 
-use std::fs::File;
-use std::io::{BufRead, BufReader, BufWriter, Write};
-use std::path::Path;
-
+use crate::error::Result;
 use crate::error::obj::ObjError;
-use crate::error::{Error, Result};
 use crate::io::file::{self, failed};
 use crate::io::lines::{Lines, refused};
 use crate::mesh::control_mesh::ControlMesh;
-use nalgebra::{SVector, vector};
-use wavefront_rs::obj::entity::{Entity, FaceVertex};
-use wavefront_rs::obj::parser::Parser;
+use nalgebra::SVector;
+use std::fmt::Display;
+use std::fs::File;
+use std::io::{BufRead, BufReader, BufWriter, Write};
+use std::path::Path;
+use std::str::FromStr;
 
 /// How much of a word errors repeat, in letters.
 const REPEATED: usize = 24;
@@ -54,7 +53,7 @@ const PASSED: [&str; 18] = [
 ///
 /// # Errors
 /// [`MeshError::Obj`](crate::MeshError::Obj) with the line for what cannot be read: see [`ObjError`]. What [`ControlMesh::new`] refuses, for faces and
-/// vertices counted from 0: among it vertices in no face. [`Error::Io`] if the reader fails.
+/// vertices counted from 0: among it vertices in no face. [`Error::Io`](crate::Error::Io) if the reader fails.
 ///
 /// # Examples
 /// ```
@@ -74,7 +73,7 @@ pub fn read(text: impl BufRead) -> Result<ControlMesh<f64, 3>> {
 /// The mesh of an OBJ file at a path.
 ///
 /// # Errors
-/// As [`read`]; [`Error::Io`] if there is no such file.
+/// As [`read`]; [`Error::Io`](crate::Error::Io) if there is no such file.
 ///
 /// # Examples
 /// ```
@@ -92,7 +91,7 @@ pub fn read_file(path: impl AsRef<Path>) -> Result<ControlMesh<f64, 3>> {
 /// Writes a mesh as an OBJ file: [`read`] gives the same mesh, bit by bit.
 ///
 /// # Errors
-/// [`Error::Io`] if the writer fails.
+/// [`Error::Io`](crate::Error::Io) if the writer fails.
 ///
 /// # Examples
 /// ```
@@ -111,7 +110,7 @@ pub fn write(mesh: &ControlMesh<f64, 3>, text: impl Write) -> Result<()> {
 /// Writes a mesh as an OBJ file at a path, and creates the folder if need be.
 ///
 /// # Errors
-/// [`Error::Io`] if the file cannot be written.
+/// [`Error::Io`](crate::Error::Io) if the file cannot be written.
 pub fn write_file(mesh: &ControlMesh<f64, 3>, path: impl AsRef<Path>) -> Result<()> {
     let mut text = Vec::new();
     write(mesh, &mut text)?;
@@ -139,8 +138,8 @@ fn read_named(text: impl BufRead, name: &str) -> Result<ControlMesh<f64, 3>> {
         let mut words = text.split_whitespace();
         match words.next() {
             None => {}
-            Some("v") => draft.vertex(line, &text, words.count())?,
-            Some("f") => draft.face(line, &text)?,
+            Some("v") => draft.vertex(line, &words.collect::<Vec<_>>())?,
+            Some("f") => draft.face(line, words)?,
             Some(word) if PASSED.contains(&word) => {}
             Some(word) => return Err(refused(ObjError::Statement { line, word: repeated(word) })),
         }
@@ -160,39 +159,49 @@ struct Draft {
 }
 
 impl Draft {
-    fn vertex(&mut self, line: usize, text: &str, found: usize) -> Result<()> {
-        if !matches!(found, 3 | 4 | 6) {
-            return Err(refused(ObjError::Coordinates { line, found }));
-        }
-        let Entity::Vertex { x, y, z, w } = entity(line, text)? else {
-            return Err(syntax(line, "no vertex"));
+    fn vertex(&mut self, line: usize, words: &[&str]) -> Result<()> {
+        let (x, y, z, weight) = match *words {
+            [x, y, z] | [x, y, z, _, _, _] => (x, y, z, None),
+            [x, y, z, weight] => (x, y, z, Some(weight)),
+            _ => return Err(refused(ObjError::Coordinates { line, found: words.len() })),
         };
-        if let Some(axis) = [x, y, z].iter().position(|x| !x.is_finite()) {
-            return Err(refused(ObjError::NotFinite { line, axis }));
+        let mut point = SVector::zeros();
+        for (axis, word) in [x, y, z].into_iter().enumerate() {
+            point[axis] = number::<f64>(line, word)?;
+            if !point[axis].is_finite() {
+                return Err(refused(ObjError::NotFinite { line, axis }));
+            }
         }
-        // With six numbers the fourth is red.
-        match w.filter(|w| found == 4 && *w != 1.0) {
-            Some(weight) => Err(refused(ObjError::Weighted { line, weight: weight.to_string() })),
-            None => {
-                self.points.push(vector![x, y, z]);
+        match weight.map(|word| number::<f64>(line, word)).transpose()? {
+            Some(weight) if weight != 1.0 => {
+                Err(refused(ObjError::Weighted { line, weight: weight.to_string() }))
+            }
+            _ => {
+                self.points.push(point);
                 Ok(())
             }
         }
     }
 
-    fn face(&mut self, line: usize, text: &str) -> Result<()> {
-        if let Some(corner) = text.split_whitespace().find(|corner| corner.matches('/').count() > 2) {
-            return Err(syntax(line, format!("'{}' has more than three parts", repeated(corner))));
-        }
-        let Entity::Face { vertices } = entity(line, text)? else {
-            return Err(syntax(line, "no face"));
-        };
-        if vertices.len() < 3 {
-            return Err(refused(ObjError::FewCorners { line, found: vertices.len() }));
-        }
-        for FaceVertex { vertex, .. } in vertices {
+    fn face<'a>(&mut self, line: usize, words: impl Iterator<Item = &'a str>) -> Result<()> {
+        let start = self.corners.len();
+        for word in words {
+            let mut parts = word.split('/');
+            let vertex = number(line, parts.next().unwrap_or_default())?;
+            // Texture and normal.
+            for part in parts.by_ref().take(2).filter(|part| !part.is_empty()) {
+                number::<i64>(line, part)?;
+            }
+            if parts.next().is_some() {
+                let reason = format!("'{}' has more than three parts", repeated(word));
+                return Err(refused(ObjError::Syntax { line, reason }));
+            }
             let corner = self.corner(line, vertex)?;
             self.corners.push(corner);
+        }
+        let found = self.corners.len() - start;
+        if found < 3 {
+            return Err(refused(ObjError::FewCorners { line, found }));
         }
         self.ends.push(self.corners.len());
         Ok(())
@@ -223,13 +232,11 @@ impl Draft {
     }
 }
 
-/// A vertex or a face, read out of a line.
-fn entity(line: usize, text: &str) -> Result<Entity> {
-    Parser::parse_line(&mut text.as_bytes()).map_err(|error| syntax(line, error))
-}
-
-fn syntax(line: usize, reason: impl ToString) -> Error {
-    refused(ObjError::Syntax { line, reason: reason.to_string() })
+/// A number, written as a word.
+fn number<T: FromStr<Err: Display>>(line: usize, word: &str) -> Result<T> {
+    word.parse().map_err(|error: T::Err| {
+        refused(ObjError::Syntax { line, reason: format!("'{}': {error}", repeated(word)) })
+    })
 }
 
 /// A word, or how it begins.
@@ -240,6 +247,7 @@ fn repeated(word: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::error::Error;
     use crate::error::mesh::MeshError;
     use crate::io::lines::LONGEST;
 
