@@ -2,6 +2,7 @@
 #![allow(dead_code, reason = "no example needs all of it")]
 
 pub mod solid;
+pub mod subdivided;
 
 use nalgebra::{SVector, vector};
 use std::error::Error;

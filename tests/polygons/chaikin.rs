@@ -103,24 +103,3 @@ fn corners_stay() -> Result<()> {
     assert_eq!((&cubic.points()[0], &cubic.points()[3]), (&point(0, 0), &point(4, 8)));
     Ok(())
 }
-
-/// The case `chaikin_closed-pub-01` of the golden values.
-#[test]
-fn golden_closed_polygon() -> Result<()> {
-    let polygon = vec![point(-7, 1), point(8, 6), point(7, -7), point(-1, -2), point(-2, 4)];
-    let quarters = [
-        (-13, 9),
-        (17, 19),
-        (31, 11),
-        (29, -15),
-        (20, -23),
-        (4, -13),
-        (-5, -2),
-        (-7, 10),
-        (-13, 13),
-        (-23, 7),
-    ];
-    let expected = quarters.map(|(x, y)| vector![Q::frac(x, 4), Q::frac(y, 4)]);
-    assert_eq!(ControlPolygon::closed(polygon)?.chaikin(1)?.points(), expected);
-    Ok(())
-}

@@ -58,15 +58,3 @@ fn open_polygons_have_the_usual_spaces() -> Result<()> {
     assert_eq!(open.space(), &SplineSpace::new(3, (-3..6).map(Q::int))?);
     Ok(())
 }
-
-/// The case `nonuniform_cubic_midpoint-pub-01` of the golden values.
-#[test]
-fn golden_points_on_legs() -> Result<()> {
-    let points = vec![point(0, -5), point(6, 4), point(6, 9), point(3, 4), point(4, -5), point(-7, 4)];
-    let intervals = [1, 3, 1, 1, 1, 1, 1].map(Q::int).to_vec();
-    let fine = CubicPolygon::open(points, Boundary::Open)?.with_intervals(intervals)?.refined(1)?;
-    let half = |x: i64, y: i64| vector![Q::frac(x, 2), Q::frac(y, 2)];
-    // It begins on leg 0: those on legs 1 to 3 follow, every other one.
-    assert_eq!([2, 4, 6].map(|i| fine.points()[i].clone()), [half(12, 15), half(9, 13), half(7, -1)]);
-    Ok(())
-}
