@@ -59,13 +59,14 @@ impl Topology {
             fine.push(&corners, &[h as u32, NONE, t as u32, NONE], &[h as u32, along[0], t as u32, along[1]]);
         }
         let mut edge_count = half_edges + 2 * inner.len();
-        let (mut twins, mut edges) = (Vec::new(), Vec::new());
+        let (mut corners, mut twins, mut edges) = (Vec::new(), Vec::new(), Vec::new());
         for v in 0..self.vertex_count() {
             let boundary = self.is_boundary(v);
             if boundary && !(filled && self.leaving(v).nth(2).is_some()) {
                 continue;
             }
-            let corners: Vec<u32> = self.leaving(v).map(|h| h as u32).collect();
+            corners.clear();
+            corners.extend(self.leaving(v).map(|h| h as u32));
             twins.clear();
             edges.clear();
             let first = fine.origins.len();

@@ -67,21 +67,24 @@ impl<T: Scalar, const N: usize> DooSabin<T, N> {
     pub fn limit_mesh(&self) -> Result<ControlMesh<T, N>> {
         let topology = self.mesh().topology();
         let filled = |v: usize| self.boundary() != Boundary::Open && topology.leaving(v).nth(2).is_some();
-        let around = |v: usize| topology.leaving(v).map(|h| topology.face_of(h)).collect::<Vec<_>>();
         let within = (0..topology.vertex_count()).filter(|v| !topology.is_boundary(*v) || filled(*v));
-        let mut faces: Vec<_> = within.map(around).collect();
-        if faces.is_empty() {
+        let limits = self.limit_points()?;
+        let (mut corners, mut ends, mut points) = (Vec::new(), vec![0], Vec::new());
+        let mut places = vec![None; topology.face_count()];
+        for v in within {
+            corners.extend(topology.leaving(v).map(|h| {
+                let face = topology.face_of(h);
+                *places[face].get_or_insert_with(|| {
+                    points.push(limits[face].clone());
+                    points.len() - 1
+                })
+            }));
+            ends.push(corners.len());
+        }
+        if points.is_empty() {
             return Err(MeshError::NothingInside { what: "vertex" }.into());
         }
-        let mut places = vec![None; topology.face_count()];
-        let limits = self.limit_points()?;
-        let mut points = Vec::new();
-        for corner in faces.iter_mut().flatten() {
-            *corner = *places[*corner].get_or_insert_with(|| {
-                points.push(limits[*corner].clone());
-                points.len() - 1
-            });
-        }
+        let faces = ends.windows(2).map(|ends| &corners[ends[0]..ends[1]]);
         ControlMesh::new(points, faces)
     }
 }
