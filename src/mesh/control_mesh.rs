@@ -2,7 +2,9 @@
 
 use crate::coeff::Coeff;
 use crate::error::{Error, Result};
+use crate::exact::Q;
 use crate::mesh::topology::Topology;
+use crate::ops::convert::{image, rounded};
 use crate::scalar::Scalar;
 use nalgebra::SVector;
 use std::sync::Arc;
@@ -90,5 +92,47 @@ impl<T: Scalar, const N: usize> ControlMesh<T, N> {
         corners.for_each(|v| sum += &self.points[v]);
         Coeff::divide(&mut sum, &sides);
         sum
+    }
+
+    /// The same mesh over another field.
+    ///
+    /// # Errors
+    /// The first error of the conversion; [`Error::NotFinite`].
+    pub fn map_scalars<U: Scalar>(
+        &self,
+        mut convert: impl FnMut(&T) -> Result<U>,
+    ) -> Result<ControlMesh<U, N>> {
+        let points = self.points.iter().map(|point| point.try_map(&mut convert)).collect::<Result<_>>()?;
+        self.with_points(points)
+    }
+}
+
+impl<const N: usize> ControlMesh<f64, N> {
+    /// The same mesh over the rationals, without loss.
+    ///
+    /// # Errors
+    /// None: the points of a mesh are finite.
+    pub fn to_exact(&self) -> Result<ControlMesh<Q, N>> {
+        self.map_scalars(image)
+    }
+}
+
+impl<const N: usize> ControlMesh<Q, N> {
+    /// The same mesh with coordinates correctly rounded.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] for coordinates beyond floating point.
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::{ControlMesh, Q, Scalar};
+    /// let points = [[0, 0], [1, 0], [0, 1]].map(|p| p.map(|x| Q::frac(x, 3)).into());
+    /// let triangle = ControlMesh::<Q, 2>::new(points.to_vec(), [[0, 1, 2]])?;
+    /// assert_eq!(triangle.to_f64()?.points()[1][0], 1.0 / 3.0);
+    /// assert_ne!(triangle.to_f64()?.to_exact()?, triangle);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    pub fn to_f64(&self) -> Result<ControlMesh<f64, N>> {
+        self.map_scalars(rounded)
     }
 }

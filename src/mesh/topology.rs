@@ -194,7 +194,7 @@ impl Topology {
 
     /// The edge between two vertices, if there is one.
     pub fn edge_between(&self, v: usize, w: usize) -> Option<usize> {
-        self.edges_at(v).find(|e| self.ends(*e).contains(&w))
+        self.edges_at(v).find(|e| v != w && self.ends(*e).contains(&w))
     }
 
     /// The boundaries: each a chain of half-edges, one after the other, with the surface on the left.
@@ -266,6 +266,6 @@ mod tests {
             }
         }
         assert_eq!(t.edge_between(0, 2), t.edge_between(2, 0));
-        assert_eq!(t.edge_between(0, 7), None);
+        assert_eq!((t.edge_between(0, 7), t.edge_between(0, 0)), (None, None));
     }
 }
