@@ -25,14 +25,14 @@ impl Topology {
     /// The topology of faces given by their corners, counter-clockwise as seen from outside, over vertices `0 .. vertices`.
     ///
     /// # Errors
-    /// [`MeshError::NoFaces`](crate::MeshError::NoFaces),
-    /// [`MeshError::DegenerateFace`](crate::MeshError::DegenerateFace),
-    /// [`MeshError::NoSuchVertex`](crate::MeshError::NoSuchVertex),
-    /// [`MeshError::NonManifoldEdge`](crate::MeshError::NonManifoldEdge),
-    /// [`MeshError::InconsistentFaces`](crate::MeshError::InconsistentFaces),
-    /// [`MeshError::NonManifoldVertex`](crate::MeshError::NonManifoldVertex),
-    /// [`MeshError::UnusedVertex`](crate::MeshError::UnusedVertex);
-    /// [`Error::TooLarge`](crate::Error::TooLarge).
+    /// [`MeshError::NoFaces`],
+    /// [`MeshError::DegenerateFace`],
+    /// [`MeshError::NoSuchVertex`],
+    /// [`MeshError::NonManifoldEdge`],
+    /// [`MeshError::InconsistentFaces`],
+    /// [`MeshError::NonManifoldVertex`],
+    /// [`MeshError::UnusedVertex`];
+    /// [`Error::TooLarge`].
     ///
     /// # Examples
     /// ```

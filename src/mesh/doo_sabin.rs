@@ -7,7 +7,7 @@
 //! ```text
 //! P̄_i = Σ_j a_ij P_j,   a_ii = (n + 5) / 4n,   a_ij = (3 + 2 cos(2π (i - j) / n)) / 4n
 //! ```
-//! Knot intervals are those of [Sederberg] 2.1: a vertex has one for each edge at it, so that an edge between the vertices `i` and `j`
+//! Knot intervals are those of [Sederberg, 2.1]: a vertex has one for each edge at it, so that an edge between the vertices `i` and `j`
 //! has an interval `d_ij` at `i` and another, `d_ji`, at `j`. Then
 //!
 //! ```text
@@ -186,7 +186,7 @@ impl<T: Scalar, const N: usize> DooSabin<T, N> {
         spread
     }
 
-    /// The same surface, or nearly, as a Catmull-Clark surface over knot intervals 0 and 1: [Miura] (23) and (24).
+    /// The same surface, or nearly, as a Catmull-Clark surface over knot intervals 0 and 1: [Miura, (23), (24)].
     ///
     /// Each face shrinks as in a step of subdivision, but to
     ///
@@ -203,7 +203,7 @@ impl<T: Scalar, const N: usize> DooSabin<T, N> {
     /// ```text
     /// (4 - n) (19 P - 14 e - 5 f) / 144 (n + 5)
     /// ```
-    /// which is [Miura] (27) for `n = 3`. In the middle of a face they agree.
+    /// which is [Miura, (27)] for `n = 3`. In the middle of a face they agree.
     ///
     /// # Errors
     /// [`MeshError::IrrationalWeights`](crate::MeshError::IrrationalWeights) as in [`refined`](Self::refined);

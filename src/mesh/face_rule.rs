@@ -8,7 +8,7 @@
 //! M = Σ P_j / n,   K_i = Σ_j cos(2π (i - j) / n) P_j
 //! ```
 //! which is Doo and Sabin's rule for `s = 1/2`, with the weights `(n + 5) / 4n` and `(3 + 2 cos(2π |i - j| / n)) / 4n`, and
-//! [Miura] (24) for `s = 1/3`. The map is diagonal in waves around the face: the mean stays, the first wave shrinks by `1 - s`, all
+//! [Miura, (24)] for `s = 1/3`. The map is diagonal in waves around the face: the mean stays, the first wave shrinks by `1 - s`, all
 //! others by `(1 - s)²`.
 
 use crate::error::Result;
@@ -21,7 +21,7 @@ use nalgebra::SVector;
 pub(crate) enum FaceRule {
     /// Doo and Sabin's: half of the way to the joints.
     DooSabin,
-    /// That of [Miura] (24): a third of the way.
+    /// That of [Miura, (24)]: a third of the way.
     Elevation,
 }
 

@@ -40,7 +40,7 @@ impl<T: Scalar, const N: usize> CatmullClark<T, N> {
     /// around the vertex are smaller than `2^-40` of the mesh, and an error comes only if they do not shrink.
     ///
     /// # Errors
-    /// [`MeshError::Unsettled`](crate::MeshError::Unsettled); those of [`CatmullClark::refined`].
+    /// [`MeshError::Unsettled`]; those of [`CatmullClark::refined`].
     ///
     /// # Examples
     /// ```
@@ -77,7 +77,7 @@ impl<T: Scalar, const N: usize> CatmullClark<T, N> {
     /// faces that have a point at each corner.
     ///
     /// # Errors
-    /// Those of [`CatmullClark::limit_points`]; [`MeshError::NothingInside`](crate::MeshError::NothingInside) if no face
+    /// Those of [`CatmullClark::limit_points`]; [`MeshError::NothingInside`] if no face
     /// is left.
     ///
     /// # Examples
