@@ -66,7 +66,7 @@ impl<T: Scalar, const N: usize> CatmullClark<T, N> {
     /// F = mean of the corners,   E = (P_v + P_w + F_left + F_right) / 4,   V = (F̄ + 2 R̄ + (n - 3) P) / n
     /// ```
     /// with `F̄` and `R̄` the means of the points of the faces and of the middles of the edges around a vertex of valence
-    /// `n`. Knot intervals weigh these means as in [Sederberg, section 3]; halves of edges get half the
+    /// `n`. Knot intervals weigh these means as in [Sederberg, 1998]; halves of edges get half the
     /// interval, and an edge from the middle of another into a face gets a quarter of the sum of the intervals before and
     /// after that one in the face.
     ///

@@ -170,7 +170,7 @@ mod tests {
     use crate::exact::Q;
     use crate::mesh::face_rule::FaceRule;
 
-    /// The formula of [Sederberg, 2.1], term by term, for a face with six sides, where `cos(2π k / 6)` are halves.
+    /// The formula of [Sederberg, 1998], term by term, for a face with six sides, where `cos(2π k / 6)` are halves.
     #[test]
     fn six_sides_are_those_of_the_formula() {
         let corner = |k: i64| SVector::from([Q::int(k * k % 7), Q::int(3 * k % 5)]);

@@ -7,7 +7,7 @@
 //! E_i = ((d_i + 2 d_{i+1}) P_i + (d_i + 2 d_{i-1}) P_{i+1}) / (2 (d_{i-1} + d_i + d_{i+1}))
 //! V_i = (d_i E_{i-1} + (d_{i-1} + d_i) P_i + d_{i-1} E_i) / (2 (d_{i-1} + d_i))
 //! ```
-//! and halves the intervals [Sederberg, 2.2]. A leg of
+//! and halves the intervals [Sederberg, 1998]. A leg of
 //! interval 0, as there are many after [`ControlPolygon::converted`](crate::ControlPolygon::converted), is a double knot: it
 //! is not halved and gets no point. A vertex between two of them is on the curve, and stays.
 

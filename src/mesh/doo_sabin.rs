@@ -7,7 +7,7 @@
 //! ```text
 //! P̄_i = Σ_j a_ij P_j,   a_ii = (n + 5) / 4n,   a_ij = (3 + 2 cos(2π (i - j) / n)) / 4n
 //! ```
-//! Knot intervals are those of [Sederberg, 2.1]: a vertex has one for each edge at it, so that an edge between the vertices `i` and `j`
+//! Knot intervals are those of [Sederberg, 1998]: a vertex has one for each edge at it, so that an edge between the vertices `i` and `j`
 //! has an interval `d_ij` at `i` and another, `d_ji`, at `j`. Then
 //!
 //! ```text

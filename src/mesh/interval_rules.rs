@@ -1,5 +1,4 @@
-//! The points of a step of Catmull and Clark's subdivision with knot intervals, after Sederberg, Zheng, Sewell and Sabin
-//! (1998).
+//! The points of a step of Catmull and Clark's subdivision with knot intervals [Sederberg, 1998].
 //!
 //! Each edge has a knot interval `d ≥ 0`. With `d^k` of an edge `PQ` about `P` the interval of the `k`-th edge
 //! counter-clockwise from it at `P`, clockwise for `k < 0`, let its *reach* about `P` be `d^0 + d^2 + d^-2`: in a regular
