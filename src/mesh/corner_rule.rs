@@ -13,7 +13,7 @@ use crate::error::Result;
 use crate::mesh::boundary::Boundary;
 use crate::mesh::control_mesh::ControlMesh;
 use crate::mesh::face_rule::Waves;
-use crate::scalar::Scalar;
+use crate::scalar::{Scalar, larger};
 use nalgebra::SVector;
 
 /// The rule for a surface, with room for the intervals of a face.
@@ -21,6 +21,8 @@ pub(super) struct CornerRule<'a, T: Scalar, const N: usize> {
     mesh: &'a ControlMesh<T, N>,
     intervals: Option<&'a [[T; 2]]>,
     boundary: Boundary,
+    /// Whether corners at an open boundary go all the way across it, to where the surface ends.
+    clipped: bool,
     /// For each side of the face that came last, the intervals of its edge: where it begins, and where it ends.
     sides: Vec<[T; 2]>,
     /// The weights `c`.
@@ -34,13 +36,18 @@ impl<'a, T: Scalar, const N: usize> CornerRule<'a, T, N> {
         intervals: Option<&'a [[T; 2]]>,
         boundary: Boundary,
     ) -> Self {
-        Self { mesh, intervals, boundary, sides: Vec::new(), weights: Vec::new() }
+        Self { mesh, intervals, boundary, clipped: false, sides: Vec::new(), weights: Vec::new() }
+    }
+
+    /// The same, but that corners at an open boundary go all the way across it, to where the surface ends.
+    pub(super) fn clipped(self) -> Self {
+        Self { clipped: true, ..self }
     }
 
     /// Whether all intervals that count in face `f` are equal, so that there is no need for this rule.
     pub(super) fn is_even(&self, f: usize) -> bool {
         let topology = self.mesh.topology();
-        let inside = || self.open() || topology.sides(f).all(|h| topology.twin(h).is_some());
+        let inside = || self.open() && !self.clipped || topology.sides(f).all(|h| topology.twin(h).is_some());
         self.intervals.is_none() && inside()
     }
 
@@ -73,6 +80,11 @@ impl<'a, T: Scalar, const N: usize> CornerRule<'a, T, N> {
         let mut sides = std::mem::take(&mut self.sides);
         sides.clear();
         sides.extend(self.mesh.topology().sides(f).map(|h| self.side(h)));
+        // Weights are products of intervals, whose scale does not matter: those of floats shall neither overflow nor vanish.
+        let largest = sides.iter().flatten().cloned().fold(T::zero(), larger);
+        if !T::EXACT && largest > T::zero() {
+            sides.iter_mut().flatten().for_each(|d| *d = d.clone() / &largest);
+        }
         // Edges without any interval get some that are equal, and as large as the others in the face.
         let whole = sides.iter().flatten().fold(T::zero(), |sum, d| sum + d);
         let some = if whole.is_zero() { T::one() } else { whole };
@@ -112,23 +124,33 @@ impl<'a, T: Scalar, const N: usize> CornerRule<'a, T, N> {
         let rest = T::one() - &share;
         let twist = share.clone() * &rest * T::frac(1, 2);
         for (i, corner) in corners.iter().enumerate() {
-            moved.push(match self.along_boundary(f, i, corners) {
-                Some(end) => corner * rest.clone() + end * share.clone(),
-                None => {
+            let [ahead, behind] = if self.clipped { self.rim(f, i) } else { self.along(f, i) };
+            moved.push(match (self.open(), ahead, behind) {
+                (_, false, false) => {
                     let far = self.weights[(i + 2) % n].clone() + &self.weights[(i + n - 2) % n];
                     let bent = &sum - corner * T::int(n as i64) + &waves.first[i] * T::int(2);
                     corner * rest.clone() + &joint * share.clone() + bent * (far * &twist)
                 }
+                // The end of the surface is at the joints across the boundary.
+                (true, true, true) => joint.clone(),
+                (true, ..) => self.on_side(i, behind, corners) * rest.clone() + &joint * share.clone(),
+                (false, true, true) => corner.clone(),
+                (false, ..) => corner * rest.clone() + self.on_side(i, ahead, corners) * share.clone(),
             });
         }
         Ok(())
     }
 
-    /// Whether the boundary runs along the sides of face `f` after and before its corner `i`, and has to be kept.
-    fn along(&self, f: usize, i: usize) -> [bool; 2] {
+    /// Whether the sides of face `f` after and before its corner `i` are at the boundary.
+    fn rim(&self, f: usize, i: usize) -> [bool; 2] {
         let topology = self.mesh.topology();
         let h = topology.sides(f).start + i;
-        [h, topology.prev(h)].map(|h| !self.open() && topology.twin(h).is_none())
+        [h, topology.prev(h)].map(|h| topology.twin(h).is_none())
+    }
+
+    /// Whether the boundary runs along the sides of face `f` after and before its corner `i`, and has to be kept.
+    fn along(&self, f: usize, i: usize) -> [bool; 2] {
+        self.rim(f, i).map(|bounded| bounded && !self.open())
     }
 
     /// The corners of face `f` that stay, and the first corners of boundary edges between corners that do not.
@@ -141,26 +163,28 @@ impl<'a, T: Scalar, const N: usize> CornerRule<'a, T, N> {
         (0..n).filter(held).collect()
     }
 
-    /// The joint on the boundary edge at corner `i` of face `f`, which came last: the corner itself if it has two.
+    /// The point that corner `i` of face `f`, which came last, is drawn to along a boundary that is kept: the joint on its boundary edge, or
+    /// itself if it has two.
     pub(super) fn along_boundary<const M: usize>(
         &self,
         f: usize,
         i: usize,
         corners: &[SVector<T, M>],
     ) -> Option<SVector<T, M>> {
+        match self.along(f, i) {
+            [false, false] => None,
+            [true, true] => Some(corners[i].clone()),
+            [ahead, _] => Some(self.on_side(i, ahead, corners)),
+        }
+    }
+
+    /// The joint on the side after corner `i` of the face that came last, or before it.
+    fn on_side<const M: usize>(&self, i: usize, ahead: bool, corners: &[SVector<T, M>]) -> SVector<T, M> {
         let n = corners.len();
-        let (other, [own, far]) = match self.along(f, i) {
-            [false, false] => return None,
-            [true, true] => return Some(corners[i].clone()),
-            [true, false] => ((i + 1) % n, self.sides[i].clone()),
-            [false, true] => {
-                let other = (i + n - 1) % n;
-                let [far, own] = self.sides[other].clone();
-                (other, [own, far])
-            }
-        };
-        let whole = own.clone() + &far;
-        Some(&corners[i] * (far / &whole) + &corners[other] * (own / &whole))
+        let side = if ahead { i } else { (i + n - 1) % n };
+        let [near, far] = &self.sides[side];
+        let whole = near.clone() + far;
+        &corners[side] * (far.clone() / &whole) + &corners[(side + 1) % n] * (near.clone() / &whole)
     }
 }
 

@@ -115,7 +115,7 @@ impl<T: Scalar, const N: usize> DooSabin<T, N> {
     /// A step takes time linear in the number of corners.
     ///
     /// # Errors
-    /// [`MeshError::IrrationalWeights`](crate::MeshError::IrrationalWeights) over an exact field unless every face has 3, 4 or 6 sides;
+    /// [`MeshError::IrrationalWeights`](crate::MeshError::IrrationalWeights) over an exact field unless every face has 2, 3, 4 or 6 sides;
     /// [`Error::TooLarge`]; [`Error::NotFinite`] if numbers overflow.
     pub fn refined(&self, depth: usize) -> Result<Self> {
         check_refined(self.mesh.topology().half_edge_count(), depth)?;
@@ -140,7 +140,12 @@ impl<T: Scalar, const N: usize> DooSabin<T, N> {
     fn moved(&self, rule: FaceRule) -> Result<Vec<SVector<T, N>>> {
         let topology = self.mesh.topology();
         let mut moved = Vec::with_capacity(topology.half_edge_count());
-        let mut corners = self.rule();
+        let rule_of_corners = self.rule();
+        // A step leaves behind what lies beyond an open boundary; knot intervals there would be needed for another kind of surface.
+        let mut corners = match rule {
+            FaceRule::DooSabin => rule_of_corners,
+            FaceRule::Elevation => rule_of_corners.clipped(),
+        };
         let (mut face, mut waves) = (Vec::new(), Waves::default());
         for f in 0..topology.face_count() {
             face.clear();
@@ -158,9 +163,12 @@ impl<T: Scalar, const N: usize> DooSabin<T, N> {
         CornerRule::new(&self.mesh, self.intervals(), self.boundary)
     }
 
-    /// The shares of the two knot intervals of the edge of half-edge `h` in their sum, as they count in its face.
+    /// The shares of the two knot intervals of the edge of half-edge `h` in their sum, as they count in its face once converted: at
+    /// every boundary the surface is then clamped.
     pub(crate) fn shares(&self, h: usize) -> [T; 2] {
-        let [near, far] = self.rule().side(h);
+        // Halves, as sums of floats may overflow.
+        let rule = CornerRule::new(&self.mesh, self.intervals(), Boundary::Corners);
+        let [near, far] = rule.side(h).map(|d| d * T::frac(1, 2));
         let whole = near.clone() + &far;
         if whole.is_zero() { [T::frac(1, 2), T::frac(1, 2)] } else { [near / &whole, far / &whole] }
     }
@@ -196,7 +204,9 @@ impl<T: Scalar, const N: usize> DooSabin<T, N> {
     /// or, where intervals are not equal, to `(2 P_i + V) / 3 + (c_{i+2} + c_{i-2}) / (9 Σ c) · (...)`, with the same sum as in a step.
     /// Edges that run along edges of this mesh, which are the edges `h` for its half-edges `h`, get the interval 0, those around its
     /// vertices that of the vertex in their direction: 1 if there are none, the mean if the two ends differ. Where all faces have
-    /// four sides and all inner vertices four faces, this is elevation of degree from 2 to 3 in both directions, exactly. At other faces,
+    /// four sides and all inner vertices four faces, this is elevation of degree from 2 to 3 in both directions, and the surface is the same,
+    /// exactly. At a boundary that is open corners go all the way to the joints on the edges across it, where the surface ends: the converted mesh
+    /// has the boundary [`Boundary::Corners`]. At other faces,
     /// and at vertices with another number of faces, the surfaces differ: at the limit of a vertex `P` in `n` faces with four sides, with `e`
     /// the mean of its neighbours and `f` that of the corners across the faces, by
     ///
@@ -228,9 +238,10 @@ impl<T: Scalar, const N: usize> DooSabin<T, N> {
         let half = T::frac(1, 2);
         let interval = |(e, [d, other]): (usize, [T; 2])| match e < along {
             true => T::zero(),
-            false => (d + other) * &half,
+            false => d * &half + other * &half,
         };
         let intervals = self.spread().into_iter().enumerate().map(interval).collect();
-        CatmullClark::with_intervals(ControlMesh::over(fine.into(), points)?, intervals, self.boundary)
+        let boundary = if self.filled() { self.boundary } else { Boundary::Corners };
+        CatmullClark::with_intervals(ControlMesh::over(fine.into(), points)?, intervals, boundary)
     }
 }

@@ -77,6 +77,8 @@ impl<T: Scalar, const N: usize> Waves<T, N> {
         let n = corners.len();
         self.first.clear();
         match n {
+            // Around a vertex that was in two faces of a closed mesh: cos = -1.
+            2 => self.first.extend([&corners[0] - &corners[1], &corners[1] - &corners[0]]),
             // cos = -1/2.
             3 => {
                 let half = &sum * T::frac(1, 2);

@@ -39,13 +39,14 @@ use crate::mesh::control_mesh::ControlMesh;
 use crate::mesh::topology::Topology;
 use crate::scalar::{Scalar, larger};
 use nalgebra::SVector;
+use std::borrow::Cow;
 
 /// The intervals after a step, in the order of [`Topology::quartered`].
 pub(super) fn intervals<T: Scalar>(topology: &Topology, d: &[T]) -> Vec<T> {
     let (half, quarter) = (T::frac(1, 2), T::frac(1, 4));
     let halves = d.iter().flat_map(|x| std::iter::repeat_n(x.clone() * &half, 2));
     let of = |h: usize| &d[topology.edge_of(h)];
-    let into = |h: usize| (of(topology.next(h)).clone() + of(topology.prev(h))) * &quarter;
+    let into = |h: usize| of(topology.next(h)).clone() * &quarter + of(topology.prev(h)).clone() * &quarter;
     halves.chain((0..topology.half_edge_count()).map(into)).collect()
 }
 
@@ -55,13 +56,17 @@ pub(super) fn points<T: Scalar, const N: usize>(
     d: &[T],
     corners: bool,
 ) -> Vec<SVector<T, N>> {
-    // Rules have products of intervals: those of floats shall not overflow.
-    let largest = d.iter().cloned().fold(T::zero(), larger);
-    if !T::EXACT && largest > T::zero() {
-        let d: Vec<T> = d.iter().map(|x| x.clone() / &largest).collect();
-        return Rules { mesh, d: &d, reaches: reaches(mesh.topology(), &d) }.points(corners);
-    }
+    let d = &*scaled(d);
     Rules { mesh, d, reaches: reaches(mesh.topology(), d) }.points(corners)
+}
+
+/// The intervals in a scale in which sums and products of floats do not overflow: the largest is 1. The rules do not change.
+pub(super) fn scaled<T: Scalar>(d: &[T]) -> Cow<'_, [T]> {
+    let largest = d.iter().cloned().fold(T::zero(), larger);
+    match !T::EXACT && largest > T::zero() {
+        true => d.iter().map(|x| x.clone() / &largest).collect(),
+        false => Cow::Borrowed(d),
+    }
 }
 
 /// The reaches of all edges, about the origin of the side and about the other end.

@@ -26,7 +26,7 @@ use crate::mesh::catmull_clark::CatmullClark;
 use crate::mesh::face_rule::turn;
 use crate::mesh::limit::{product, weights};
 use crate::mesh::near::{Line, Near, settle};
-use crate::scalar::{Real, Scalar};
+use crate::scalar::{Real, Scalar, larger};
 use crate::vector::{cross3, extent};
 use nalgebra::SVector;
 
@@ -37,7 +37,7 @@ const STEPS: usize = 24;
 impl<T: Real> CatmullClark<T, 3> {
     /// The unit normals of the surface at the vertices, on the side from which faces run counter-clockwise.
     ///
-    /// There is none where the tangents vanish or are parallel, at a vertex of valence 2 inside, at double knots that
+    /// There is none where the tangents vanish or are parallel, at a vertex of valence 2 inside, at triple knots, which
     /// make a crease, and at the boundary of a mesh whose boundary is open, where the surface does not reach. In four or
     /// more faces at the boundary the surface has no tangent plane in general: then this is the normal to the boundary
     /// and to the direction in which the faces shrink most slowly.
@@ -73,7 +73,11 @@ impl<T: Real> CatmullClark<T, 3> {
                 true => None,
                 false => inside(near, v, &ring, last),
             };
-            tangents.map(|tangents| unit_normal(&tangents))
+            let size = || {
+                let around = ring.iter().flat_map(|h| [near.topology().target(*h), near.across(*h)]);
+                extent(around.chain([v]).map(|w| near.point(w)))
+            };
+            tangents.map(|tangents| unit_normal(&tangents, size()))
         })
     }
 }
@@ -157,19 +161,21 @@ fn slopes<T: Scalar>([before, a, b, after]: &Line<T>) -> [T; 3] {
     [first, own, last]
 }
 
-/// The unit vector perpendicular to two tangents; none where they are parallel but for rounding.
-fn unit_normal<T: Real>(tangents: &Tangents<T>) -> Option<SVector<T, 3>> {
+/// The unit vector perpendicular to two tangents; none where they are parallel but for the rounding of themselves, or of points of the
+/// given size, whose differences they are.
+fn unit_normal<T: Real>(tangents: &Tangents<T>, points: T) -> Option<SVector<T, 3>> {
     let [mut s, mut t] = tangents.clone();
+    let mut rounding = T::frac(1, 1 << 40);
     for tangent in [&mut s, &mut t] {
         let size = extent([&*tangent]);
         if size.is_zero() {
             return None;
         }
+        rounding = larger(rounding, points.clone() / &size * T::frac(1, 1 << 46));
         Coeff::divide(tangent, &size);
     }
     let mut normal = cross3(&s, &t);
     let square = Coeff::squared_size(&normal);
-    let rounding = T::frac(1, 1 << 40);
     if square <= rounding.clone() * rounding {
         return None;
     }

@@ -10,10 +10,11 @@ use crate::error::Result;
 use crate::error::mesh::MeshError;
 use crate::mesh::boundary::Boundary;
 use crate::mesh::catmull_clark::CatmullClark;
-use crate::mesh::interval_rules::{reach, reaches};
+use crate::mesh::interval_rules::{reach, reaches, scaled};
 use crate::mesh::topology::Topology;
 use crate::scalar::Scalar;
 use nalgebra::SVector;
+use std::borrow::Cow;
 
 /// How many steps are made over exact numbers before a vertex counts as unsettled.
 const EXACT_STEPS: usize = 6;
@@ -24,14 +25,17 @@ pub(super) type Line<T> = [T; 4];
 /// A surface with the reaches of its edges.
 pub(super) struct Near<'a, T: Scalar, const N: usize> {
     pub(super) surface: &'a CatmullClark<T, N>,
+    /// The knot intervals, if they are not all equal, in a scale in which sums do not overflow.
+    intervals: Option<Cow<'a, [T]>>,
     reaches: Vec<[T; 2]>,
 }
 
 impl<'a, T: Scalar, const N: usize> Near<'a, T, N> {
     fn new(surface: &'a CatmullClark<T, N>) -> Self {
         let topology = surface.mesh().topology();
-        let reaches = surface.intervals().map(|d| reaches(topology, d)).unwrap_or_default();
-        Self { surface, reaches }
+        let intervals = surface.intervals().map(scaled);
+        let reaches = intervals.as_ref().map(|d| reaches(topology, d)).unwrap_or_default();
+        Self { surface, intervals, reaches }
     }
 
     pub(super) fn topology(&self) -> &'a Topology {
@@ -44,7 +48,7 @@ impl<'a, T: Scalar, const N: usize> Near<'a, T, N> {
 
     /// The knot interval of half-edge `h`; 1 if all are equal.
     fn interval(&self, h: usize) -> T {
-        self.surface.intervals().map_or_else(T::one, |d| d[self.topology().edge_of(h)].clone())
+        self.intervals.as_ref().map_or_else(T::one, |d| d[self.topology().edge_of(h)].clone())
     }
 
     /// The half-edges out of vertex `v`, if all faces there have four sides.
@@ -62,7 +66,7 @@ impl<'a, T: Scalar, const N: usize> Near<'a, T, N> {
 
     /// Whether all intervals around vertex `v` inside are equal, and go on so.
     pub(super) fn is_uniform(&self, ring: &[usize]) -> bool {
-        if self.surface.intervals().is_none() {
+        if self.intervals.is_none() {
             return true;
         }
         let (topology, d) = (self.topology(), self.interval(ring[0]));
@@ -77,7 +81,7 @@ impl<'a, T: Scalar, const N: usize> Near<'a, T, N> {
 
     /// The same of vertex `v` of the boundary.
     pub(super) fn is_uniform_rim(&self, v: usize, ring: &[usize]) -> bool {
-        if self.surface.intervals().is_none() {
+        if self.intervals.is_none() {
             return true;
         }
         let (topology, d) = (self.topology(), self.interval(ring[0]));
@@ -97,7 +101,7 @@ impl<'a, T: Scalar, const N: usize> Near<'a, T, N> {
     /// `ring[0]`, if the surface is a B-spline surface around it.
     pub(super) fn lines(&self, ring: &[usize]) -> Option<[Line<T>; 2]> {
         let &[east, north, west, south] = ring else { return None };
-        if self.surface.intervals().is_none() {
+        if self.intervals.is_none() {
             return Some([(); 2].map(|()| [(); 4].map(|()| T::one())));
         }
         let topology = self.topology();
@@ -159,12 +163,14 @@ pub(super) fn settle<T: Scalar, R, const N: usize>(
         }
         let topology = near.topology();
         let mut kept = vec![false; topology.face_count()];
+        // A vertex in many faces comes once: its fan is walked every time.
+        let mut reached = vec![false; topology.vertex_count()];
         let mut vertices: Vec<usize> = left.iter().map(|(v, _)| *v).collect();
         for _ in 0..3 {
             let mut next = Vec::new();
             for f in vertices.iter().flat_map(|v| topology.leaving(*v)).map(|h| topology.face_of(h)) {
                 if !std::mem::replace(&mut kept[f], true) {
-                    next.extend(topology.face(f));
+                    next.extend(topology.face(f).filter(|v| !std::mem::replace(&mut reached[*v], true)));
                 }
             }
             vertices = next;

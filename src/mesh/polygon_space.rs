@@ -33,6 +33,14 @@ pub(super) fn check<T: Scalar, const N: usize>(
         return Err(Error::CoefficientCount { expected, found: intervals.len() });
     }
     check_intervals(intervals)?;
+    // Knots are sums of intervals, and the weights of the rules have sums of three of them in a row, doubled.
+    let mut whole = T::zero();
+    if let Some(index) = intervals.iter().position(|interval| {
+        whole += interval;
+        !(T::int(4) * &whole).is_finite()
+    }) {
+        return Err(Error::NotFinite { what: "sum of knot intervals", index });
+    }
     if !closed && intervals[degree - 1] == T::zero() {
         return Err(Error::UnusedCoefficient { index: 0 });
     }

@@ -21,20 +21,27 @@ impl Golden for FaceRules {
 
     fn found<T: Field>(case: Case) -> Result<Answer<T>> {
         let n = case.get("n").integer();
-        let face = |points: Vec<SVector<T, 3>>| {
-            ControlMesh::new(points, [(0..n).collect::<Vec<_>>()])
-                .map(|face| DooSabin::new(face, Boundary::Open))
+        // The face at one end of a prism, whose other vertices do not matter.
+        let next = |i: usize| (i + 1) % n;
+        let side = |i: usize| vec![next(i), i, n + i, n + next(i)];
+        let faces: Vec<_> = std::iter::once((0..n).collect())
+            .chain((0..n).map(side))
+            .chain([(n..2 * n).rev().collect()])
+            .collect();
+        let face = |mut points: Vec<SVector<T, 3>>| {
+            points.extend((0..n).map(|i| SVector::from([i, i * i, 7]).map(|x| T::int(x as i64))));
+            ControlMesh::new(points, &faces).map(|prism| DooSabin::new(prism, Boundary::Smooth))
         };
         // The weights of corner 0 in all corners: the same as of all in corner 0.
         let unit = |k: usize| SVector::from([T::int(i64::from(k == 0)), T::zero(), T::zero()]);
         let unit = face((0..n).map(unit).collect())?;
-        let first = |points: &[SVector<T, 3>]| points.iter().map(|p| p[0].clone()).collect::<Vec<_>>();
+        let first = |points: &[SVector<T, 3>]| points[..n].iter().map(|p| p[0].clone()).collect::<Vec<_>>();
         let face = face(case.get("polygon").points())?;
         let mut found =
             vec![first(unit.refined(1)?.mesh().points()), first(unit.converted()?.mesh().points())];
-        found.extend(rows(face.refined(1)?.mesh().points()));
-        found.extend(rows(face.converted()?.mesh().points()));
-        found.extend(rows(&face.limit_points()?));
+        found.extend(rows(&face.refined(1)?.mesh().points()[..n]));
+        found.extend(rows(&face.converted()?.mesh().points()[..n]));
+        found.extend(rows(&face.limit_points()?[..1]));
         Ok(Answer::rows(found))
     }
 

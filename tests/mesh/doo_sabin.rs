@@ -34,10 +34,12 @@ fn refined_space(d: &[Q]) -> Result<SplineSpace<Q>> {
     SplineSpace::new(2, sums(&halves(d)))
 }
 
-/// The knots of the elevated spline: all inner ones twice.
+/// The knots of the elevated spline: all inner ones twice, and clamped ends.
 fn elevated_space(d: &[Q]) -> Result<SplineSpace<Q>> {
-    let knots = sums(d);
+    let mut knots = sums(d);
     let last = knots.len() - 1;
+    knots[0] = knots[1].clone();
+    knots[last] = knots[last - 1].clone();
     let twice = |(k, t): (usize, &Q)| vec![t.clone(); if k == 0 || k == last { 1 } else { 2 }];
     SplineSpace::new(3, around(knots.iter().enumerate().flat_map(twice).collect()))
 }

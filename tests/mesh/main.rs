@@ -6,6 +6,7 @@ mod strategies;
 mod catmull_clark;
 mod doo_sabin;
 mod doo_sabin_meshes;
+mod extremes;
 mod grids;
 mod limits;
 mod meshes;
