@@ -22,7 +22,8 @@
 //! At a boundary that is not [`Boundary::Open`] the two edges of a face beside a boundary edge count as if they had the interval zero at their
 //! ends there, as at the end of a clamped spline; the corners at a boundary edge follow Chaikin's rule along the boundary, whatever the
 //! face; a vertex in one face alone stays, also for [`Boundary::Smooth`], since a face has one new corner there. A boundary vertex in three
-//! or more faces becomes a face, which keeps the boundary a spline, but leaves ever more such vertices along it.
+//! or more faces becomes a face, which keeps the boundary a spline, but leaves ever more such vertices along it. Faces with five or more
+//! sides shrink ever more slowly at such a boundary, the more sides they have.
 
 use crate::error::{Error, Result};
 use crate::mesh::boundary::Boundary;
@@ -112,7 +113,8 @@ impl<T: Scalar, const N: usize> DooSabin<T, N> {
 
     /// The same surface over the mesh that `depth` steps of subdivision give.
     ///
-    /// A step takes time linear in the number of corners.
+    /// A step takes time linear in the number of corners. A vertex inside with two edges leaves a face with two sides, which
+    /// [`Topology::new`](crate::Topology::new) would refuse.
     ///
     /// # Errors
     /// [`MeshError::IrrationalWeights`](crate::MeshError::IrrationalWeights) over an exact field unless every face has 2, 3, 4 or 6 sides;
