@@ -7,6 +7,7 @@ use nalgebra::vector;
 use numbers::Group;
 use std::f64::consts::TAU;
 use std::hint::black_box;
+use symspline::io::obj;
 use symspline::{Boundary, ControlMesh, Descend, DooSabin, MeshSprings, Result};
 
 fn main() -> Result<()> {
@@ -72,25 +73,9 @@ fn measure(
     Ok(())
 }
 
-/// The pawn, from the text of an OBJ file: vertices `v x y z` and faces `f i j k l`, counted from 1.
 fn pawn() -> Result<DooSabin<f64, 3>> {
-    let (mut points, mut faces) = (Vec::new(), Vec::new());
-    for line in include_str!("../data/subd_pawn.obj").lines() {
-        let mut words = line.split_whitespace();
-        match words.next() {
-            Some("v") => {
-                let mut next = || words.next().and_then(|word| word.parse().ok()).unwrap_or(f64::NAN);
-                points.push(vector![next(), next(), next()]);
-            }
-            Some("f") => {
-                let index =
-                    |word: &str| word.split('/').next().and_then(|i| i.parse().ok()).unwrap_or(0_usize);
-                faces.push(words.map(|word| index(word).wrapping_sub(1)).collect::<Vec<_>>());
-            }
-            _ => {}
-        }
-    }
-    Ok(DooSabin::new(ControlMesh::new(points, faces)?, Boundary::Smooth))
+    let mesh = obj::read(include_str!("../data/subd_pawn.obj").as_bytes())?;
+    Ok(DooSabin::new(mesh, Boundary::Smooth))
 }
 
 /// A grid of `m` by `n` vertices on a torus.

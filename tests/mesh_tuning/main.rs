@@ -4,3 +4,4 @@ mod shapes;
 mod oracle;
 mod hostile;
 mod laws;
+mod news;

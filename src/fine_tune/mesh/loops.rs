@@ -41,7 +41,7 @@ pub struct EdgeLoops {
     owners: Vec<usize>,
 }
 
-/// The edge is in no loop yet.
+/// The edge is in no loop yet, or goes on in none.
 const NONE: usize = usize::MAX;
 
 impl EdgeLoops {
@@ -62,20 +62,20 @@ impl EdgeLoops {
             closed: Vec::new(),
             owners: vec![NONE; count],
         };
+        let onward = onward(topology);
         for e in 0..count {
-            let end = topology.ends(e).into_iter().find(|v| opposite(topology, *v, e).is_none());
-            if let Some(end) = end {
-                loops.walk(topology, end, e);
+            if let Some(end) = onward[e].iter().position(|next| *next == NONE) {
+                loops.walk(topology, &onward, topology.ends(e)[end], e);
             }
         }
         for e in 0..count {
-            loops.walk(topology, topology.ends(e)[0], e);
+            loops.walk(topology, &onward, topology.ends(e)[0], e);
         }
         Ok(loops)
     }
 
     /// Adds the loop that goes from vertex `v` into edge `e`, unless it is there.
-    fn walk(&mut self, topology: &Topology, mut v: usize, mut e: usize) {
+    fn walk(&mut self, topology: &Topology, onward: &[[usize; 2]], mut v: usize, mut e: usize) {
         if self.owners[e] != NONE {
             return;
         }
@@ -83,12 +83,13 @@ impl EdgeLoops {
             self.owners[e] = self.closed.len();
             self.edges.push(e);
             self.vertices.push(v);
-            let [from, to] = topology.ends(e);
-            v = if v == from { to } else { from };
-            match opposite(topology, v, e) {
-                None => break false,
-                Some(next) if self.owners[next] != NONE => break true,
-                Some(next) => e = next,
+            let ends = topology.ends(e);
+            let end = usize::from(v == ends[0]);
+            v = ends[end];
+            match onward[e][end] {
+                NONE => break false,
+                next if self.owners[next] != NONE => break true,
+                next => e = next,
             }
         };
         self.closed.push(closed);
@@ -131,13 +132,21 @@ impl EdgeLoops {
     }
 }
 
-/// The edge in which edge `e` goes on at its end `v`, if any.
-fn opposite(topology: &Topology, v: usize, e: usize) -> Option<usize> {
-    let last = topology.valence(v) - 1;
-    let rank = topology.edges_at(v).position(|other| other == e)?;
-    let onward = |[a, b]: [usize; 2]| (rank == a).then_some(b).or((rank == b).then_some(a));
-    let next = straight(last + 1, topology.is_boundary(v)).into_iter().flatten().find_map(onward)?;
-    topology.edges_at(v).nth(next)
+/// The edges in which each edge goes on at its two ends.
+fn onward(topology: &Topology) -> Vec<[usize; 2]> {
+    let mut onward = vec![[NONE; 2]; topology.edge_count()];
+    let mut edges = Vec::new();
+    for v in 0..topology.vertex_count() {
+        edges.clear();
+        edges.extend(topology.edges_at(v));
+        for pair in straight(edges.len(), topology.is_boundary(v)).into_iter().flatten() {
+            let [a, b] = pair.map(|rank| edges[rank]);
+            for (e, next) in [(a, b), (b, a)] {
+                onward[e][usize::from(topology.ends(e)[0] != v)] = next;
+            }
+        }
+    }
+    onward
 }
 
 /// Which of the edges counted around a vertex go on in which.
@@ -157,6 +166,10 @@ mod tests {
         for topology in [l.shrunk(true).unwrap(), l.shrunk(false).unwrap(), tetrahedron.shrunk(true).unwrap()]
         {
             let loops = EdgeLoops::new(&topology).unwrap();
+            let onward = onward(&topology);
+            let ends_at = |v: usize, e: usize| {
+                onward[e][topology.ends(e).iter().position(|end| *end == v).unwrap()] == NONE
+            };
             let mut seen: Vec<usize> = (0..loops.count()).flat_map(|i| loops.edges(i)).copied().collect();
             seen.sort_unstable();
             assert!(seen.into_iter().eq(0..topology.edge_count()));
@@ -169,13 +182,8 @@ mod tests {
                 }
                 if !loops.is_closed(i) {
                     let last = *edges.last().unwrap();
-                    let ends = [
-                        (vertices[0], edges[0]),
-                        (topology.ends(last)[0], last),
-                        (topology.ends(last)[1], last),
-                    ];
-                    assert!(ends[1..].iter().any(|(v, e)| opposite(&topology, *v, *e).is_none()));
-                    assert!(opposite(&topology, ends[0].0, ends[0].1).is_none());
+                    assert!(topology.ends(last).into_iter().any(|v| ends_at(v, last)));
+                    assert!(ends_at(vertices[0], edges[0]));
                 }
             }
         }
@@ -192,6 +200,14 @@ mod tests {
             assert!(loops.is_closed(i) && loops.edges(i).len() == boundary.len());
             assert!(boundary.iter().all(|e| loops.loop_of(*e) == i));
         }
+    }
+
+    /// Looked for around the vertex edge by edge, the loops would take minutes.
+    #[test]
+    fn large_fans_take_linear_time() {
+        let k = 100_000;
+        let fan = Topology::new(k + 2, (1..=k).map(|i| [0, i, i + 1])).unwrap();
+        assert_eq!(EdgeLoops::new(&fan).unwrap().count(), k);
     }
 
     #[test]

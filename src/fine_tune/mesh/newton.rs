@@ -10,6 +10,7 @@ use super::net::Net;
 use super::springs::Descend;
 use super::stiffness::Stiffness;
 use crate::fine_tune::minimise::{Descent, Energy, Limits, minimise};
+use crate::fine_tune::records::Records;
 
 /// The least damping that is not zero, and the most.
 const DAMPING: [f64; 2] = [1e-6, 1e6];
@@ -70,7 +71,7 @@ fn gauss_newton(x: &mut [f64], limits: &Limits, resting: &mut Resting<'_>) -> De
     let (mut gradient, mut softened, mut probe) = (vec![0.0; x.len()], vec![0.0; x.len()], x.to_vec());
     let before = resting.net.energy(x, &mut gradient);
     let (mut value, mut iterations, mut evaluations, mut damping) = (before, 0, 1, 0.0);
-    let mut size = f64::INFINITY;
+    let (mut size, mut records) = (f64::INFINITY, Records::new());
     loop {
         resting.net.lay(x);
         resting.stiffness.renew(resting.net, damping);
@@ -80,6 +81,7 @@ fn gauss_newton(x: &mut [f64], limits: &Limits, resting: &mut Resting<'_>) -> De
         size = if slope >= 0.0 { slope.sqrt() } else { size };
         let spent = iterations >= limits.iterations || evaluations >= limits.evaluations;
         let done = slope.is_nan() || size <= limits.gradient || damping > DAMPING[1];
+        let done = done || records.end(value, slope);
         if done || spent || !(resting.watch)(iterations, value, size) {
             break;
         }
@@ -93,7 +95,7 @@ fn gauss_newton(x: &mut [f64], limits: &Limits, resting: &mut Resting<'_>) -> De
             let next = resting.net.energy(&probe, &mut gradient);
             evaluations += 1;
             let flatter = next <= ceiling && dot(&gradient, &softened).abs() <= 0.9 * slope;
-            if flatter || next < value - 1e-4 * t * slope {
+            if flatter || next < value - 1e-4 * t * slope.max(0.0) {
                 found = Some(next);
                 break;
             }
@@ -114,6 +116,14 @@ fn gauss_newton(x: &mut [f64], limits: &Limits, resting: &mut Resting<'_>) -> De
                 damping = (10.0 * damping).max(DAMPING[0]);
             }
         }
+    }
+    if damping > 0.0 {
+        // Damping makes what is left look small.
+        resting.renew(x);
+        softened.copy_from_slice(&gradient);
+        resting.soften(&mut softened);
+        let square = dot(&gradient, &softened);
+        size = if square >= 0.0 { square.sqrt() } else { f64::INFINITY };
     }
     let converged = size <= limits.gradient && value.is_finite();
     Descent { before, value, gradient: size, iterations, converged }

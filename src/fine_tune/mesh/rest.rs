@@ -77,6 +77,7 @@ mod tests {
     use crate::fine_tune::legs;
     use crate::mesh::boundary::Boundary;
     use crate::mesh::control_mesh::ControlMesh;
+    use crate::space::SplineSpace;
     use crate::spline::{Curve, Function};
     use nalgebra::vector;
 
@@ -99,58 +100,78 @@ mod tests {
         ControlMesh::new((0..M * N).map(point).collect(), (0..M * N).map(face)).unwrap()
     }
 
+    /// The legs of the product of the speed of a closed quadratic curve with a linear scale: vertex `i` has the segment of length `d[i]`,
+    /// leg `i` the value `values[i]`.
+    fn product(vertices: Vec<SVector<f64, 3>>, d: &[f64], values: &[f64]) -> Vec<SVector<f64, 3>> {
+        let ends = d[1..].iter().scan(0.0, |end, d| {
+            *end += d;
+            Some(*end)
+        });
+        let knots: Vec<f64> = std::iter::once(0.0).chain(ends).collect();
+        let space = |degree| SplineSpace::periodic(degree, knots.iter().copied(), d.iter().sum()).unwrap();
+        let curve = Curve::new(space(2), vertices).unwrap();
+        legs::legs(&legs::scaled_speed(&curve, &Function::new(space(1), values.to_vec()).unwrap()).unwrap())
+    }
+
+    /// The points on a leg that elevation of degree puts there, with segments of these lengths at its ends.
+    fn elevated(ends: [SVector<f64, 3>; 2], [d, e]: [f64; 2]) -> [SVector<f64, 3>; 2] {
+        let whole = 3.0 * (d + e);
+        let on = |near: f64, far: f64| (ends[0] * near + ends[1] * far) / whole;
+        [on(2.0 * d + 3.0 * e, d), on(e, 3.0 * d + 2.0 * e)]
+    }
+
     #[test]
     fn on_regular_meshes_this_is_the_rule_of_closed_curves() {
-        let mesh = torus();
-        let coarse = mesh.topology();
-        let old = DooSabin::new(mesh.clone(), Boundary::Smooth);
-        let surface = old.converted().unwrap();
-        let (fine, points) = (surface.mesh().topology(), surface.mesh().points());
-        // One value for all edges from column `i` to the next, and one for those from row `j` to the next.
+        // Lengths of the segments in columns and rows, and one value for all edges from a column or row to the next.
+        let uneven = ([1.0, 3.0, 0.5, 2.0, 1.5], [2.0, 1.0, 0.25, 1.0, 3.0, 1.5, 0.75]);
         let (columns, rows) = ([1.3, 0.8, 1.0, 1.7, 0.6], [0.9, 1.0, 1.4, 0.7, 1.1, 2.0, 0.5]);
-        let mut alpha = vec![0.0; coarse.edge_count()];
-        for h in 0..coarse.half_edge_count() {
-            let (f, side) = (coarse.face_of(h), h % 4);
-            let (i, j) = (f % M, f / M);
-            alpha[coarse.edge_of(h)] = if side % 2 == 0 { columns[i] } else { rows[j] };
-        }
-        let found = scaled_legs(&old, fine, points, &alpha);
-        let find = |from: usize, to: usize| {
-            let e = fine.edge_between(from, to).unwrap();
-            if fine.ends(e) == [from, to] { found[e] } else { -found[e] }
-        };
-        let corner = |i: usize, j: usize, side: usize| 4 * (i % M + M * (j % N)) + side;
-        let p = |i: usize, j: usize| mesh.points()[i % M + M * (j % N)];
-        let close = |a: SVector<f64, 3>, b: SVector<f64, 3>| assert!((a - b).norm() < 1e-13, "{a} {b}");
-        for (j, far) in (0..N).flat_map(|j| [(j, 0), (j, 1)]) {
-            // The row at a sixth, or at five sixths, from row j to the next.
-            let (near, beyond) = if far == 0 { (5.0 / 6.0, 1.0 / 6.0) } else { (1.0 / 6.0, 5.0 / 6.0) };
-            let row = (0..M).map(|i| p(i, j) * near + p(i, j + 1) * beyond).collect();
-            let curve = Curve::closed(2, row).unwrap();
-            let expected = legs::legs(
-                &legs::scaled_speed(&curve, &Function::closed(1, columns.to_vec()).unwrap()).unwrap(),
-            );
-            let ring = |i: usize| {
-                let [a, b] = if far == 0 { [0, 1] } else { [3, 2] };
-                [find(corner(i, j, a), corner(i, j, b)), find(corner(i, j, b), corner(i + 1, j, a))]
+        for (x, y) in [([1.0; M], [1.0; N]), uneven] {
+            let mesh = torus();
+            let coarse = mesh.topology();
+            let across = |h: usize| (h % 4) % 2 == 0;
+            let interval =
+                |e: usize| coarse.ends(e).map(|v| if across(coarse.side(e)) { x[v % M] } else { y[v / M] });
+            let intervals = (0..coarse.edge_count()).map(interval).collect();
+            let old = if x[1] == 1.0 {
+                DooSabin::new(mesh.clone(), Boundary::Smooth)
+            } else {
+                DooSabin::with_intervals(mesh.clone(), intervals, Boundary::Smooth).unwrap()
             };
+            let surface = old.converted().unwrap();
+            let (fine, points) = (surface.mesh().topology(), surface.mesh().points());
+            let mut alpha = vec![0.0; coarse.edge_count()];
+            for h in 0..coarse.half_edge_count() {
+                let f = coarse.face_of(h);
+                alpha[coarse.edge_of(h)] = if across(h) { columns[f % M] } else { rows[f / M] };
+            }
+            let scaled = scaled_legs(&old, fine, points, &alpha);
+            let find = |from: usize, to: usize| {
+                let e = fine.edge_between(from, to).unwrap();
+                if fine.ends(e) == [from, to] { scaled[e] } else { -scaled[e] }
+            };
+            let corner = |i: usize, j: usize, side: usize| 4 * (i % M + M * (j % N)) + side;
+            let p = |i: usize, j: usize| mesh.points()[i % M + M * (j % N)];
             // Where the curve starts in its ring is its own affair.
-            let found: Vec<_> = (0..M).flat_map(ring).collect();
-            let shift = (0..2 * M).find(|s| (expected[*s] - found[0]).norm() < 1e-13).expect("the first leg");
-            (0..2 * M).for_each(|k| close(found[k], expected[(k + shift) % (2 * M)]));
-        }
-        for (i, far) in (0..M).flat_map(|i| [(i, 0), (i, 1)]) {
-            let (near, beyond) = if far == 0 { (5.0 / 6.0, 1.0 / 6.0) } else { (1.0 / 6.0, 5.0 / 6.0) };
-            let d = |j: usize| {
-                let at = |j: usize| p(i, j) * near + p(i + 1, j) * beyond;
-                at(j + 1) - at(j)
+            let compare = |found: Vec<SVector<f64, 3>>, expected: Vec<SVector<f64, 3>>| {
+                let n = found.len();
+                let close = |s: &usize| (0..n).all(|k| (found[k] - expected[(k + s) % n]).norm() < 1e-13);
+                assert!(expected.len() == n && (0..n).any(|s| close(&s)), "{found:?} {expected:?}");
             };
-            for j in 0..N {
-                let [a, b] = if far == 0 { [0, 3] } else { [1, 2] };
-                close(find(corner(i, j, a), corner(i, j, b)), d(j) * (rows[j] * 2.0 / 3.0));
-                let next = (j + 1) % N;
-                let around = (d(next) * rows[j] + d(j) * rows[next]) / 6.0;
-                close(find(corner(i, j, b), corner(i, j + 1, a)), around);
+            for (j, far) in (0..N).flat_map(|j| [(j, 0), (j, 1)]) {
+                let on = |i: usize| elevated([p(i, j), p(i, j + 1)], [y[j], y[(j + 1) % N]])[far];
+                let [a, b] = [[0, 1], [3, 2]][far];
+                let ring = |i: usize| {
+                    [find(corner(i, j, a), corner(i, j, b)), find(corner(i, j, b), corner(i + 1, j, a))]
+                };
+                compare((0..M).flat_map(ring).collect(), product((0..M).map(on).collect(), &x, &columns));
+            }
+            for (i, far) in (0..M).flat_map(|i| [(i, 0), (i, 1)]) {
+                let on = |j: usize| elevated([p(i, j), p(i + 1, j)], [x[i], x[(i + 1) % M]])[far];
+                let [a, b] = [[0, 3], [1, 2]][far];
+                let ring = |j: usize| {
+                    [find(corner(i, j, a), corner(i, j, b)), find(corner(i, j, b), corner(i, j + 1, a))]
+                };
+                compare((0..N).flat_map(ring).collect(), product((0..N).map(on).collect(), &y, &rows));
             }
         }
     }

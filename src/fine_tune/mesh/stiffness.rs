@@ -17,6 +17,9 @@ use crate::vector::cross3;
 /// How stiff the ground is at every point: next to nothing, but a net without fixed points has nothing else.
 const GROUND: f64 = 1e-6;
 
+/// The angle up to which a joint counts as straight: it may be rounding alone that bends it.
+const STRAIGHT: f64 = 1e-8;
+
 /// The stiffness of a net.
 #[derive(Clone, Debug)]
 pub(super) struct Stiffness {
@@ -62,8 +65,8 @@ impl Stiffness {
             add(1.0, -cross3(&normal, &u), cross3(&normal, &v));
             let excess = angle - joint.angle;
             let half = (0.5 * angle).tan();
-            if angle == 0.0 {
-                add(if joint.angle == 0.0 { 1.0 } else { 0.0 }, -normal, normal);
+            if angle <= STRAIGHT {
+                add(if joint.angle <= STRAIGHT { 1.0 } else { 0.0 }, -normal, normal);
             } else if excess > 0.0 {
                 add(0.5 * excess / half, -normal, normal);
             } else {

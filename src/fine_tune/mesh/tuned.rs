@@ -58,15 +58,16 @@ impl DooSabin<f64, 3> {
     ///
     /// The [converted](Self::converted) mesh has, for an edge with value `a`, two edges `J` along it, which should become `a J`. Its other
     /// edges `V` run around old vertices, each between two of those in its [loop](crate::EdgeLoops), and should become
-    /// `V + ((a_prev - 1) J_next + (a_next - 1) J_prev) / 4`, or other shares of them where knot intervals differ. That gives the lengths `l_opt` of edges and the angles `θa_opt` between
-    /// successive edges of a loop; angles `θb` between neighbours around a vertex should stay. The vertices are moved from where they are to
+    /// `V + ((a_prev - 1) J_next + (a_next - 1) J_prev) / 4`, or other shares of them where knot intervals differ. That gives the
+    /// lengths `l_opt` of edges and the angles `θa_opt` between successive edges of a loop; angles `θb` between neighbours around a vertex
+    /// should stay. The vertices are moved from where they are to
     /// least energy
     ///
     /// ```text
     /// E = k_l Σ (l_opt - l)² + k_a Σ (θa_opt - θa)² + k_b Σ (θb_opt - θb)²          [Miura, (14)]
     /// ```
     /// nearby, in units of the longest side of the bounding box of the control mesh, so that a surface and its enlargements come out
-    /// alike. The topology is that of the converted mesh: what is closed stays closed. Knot intervals are 0 and 1.
+    /// alike. The topology is that of the converted mesh: what is closed stays closed; so are the knot intervals.
     ///
     /// What [`MeshSprings::fixed`] or [`MeshSprings::moving`] keep does not move at all. If they keep nothing, the result is moved as a
     /// whole to where its vertices are nearest to what they were. If all values are 1 nothing moves.
@@ -139,7 +140,7 @@ impl DooSabin<f64, 3> {
             watch(&Progress { iteration, energy: largest * value, gradient }).is_continue()
         };
         let descent = relax(&mut x, &limits, springs.descend, &mut net, &mut told);
-        if !descent.before.is_finite() {
+        if !(largest * descent.before).is_finite() {
             return Err(Error::NotFinite { what: "energy", index: 0 });
         }
 
