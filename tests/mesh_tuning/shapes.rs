@@ -120,10 +120,6 @@ pub fn plain_cube() -> DooSabin<f64, 3> {
     moved(cube(), &[[0.0; 3]; 8], 0.0)
 }
 
-pub fn plain_octahedron() -> DooSabin<f64, 3> {
-    moved(octahedron(), &[[0.0; 3]; 6], 0.0)
-}
-
 pub fn plain_torus(m: usize, n: usize) -> DooSabin<f64, 3> {
     moved(torus(m, n), &vec![[0.0; 3]; m * n], 0.0)
 }

@@ -128,7 +128,7 @@ mod tests {
         for (x, y) in [([1.0; M], [1.0; N]), uneven] {
             let mesh = torus();
             let coarse = mesh.topology();
-            let across = |h: usize| (h % 4) % 2 == 0;
+            let across = |h: usize| h.is_multiple_of(2);
             let interval =
                 |e: usize| coarse.ends(e).map(|v| if across(coarse.side(e)) { x[v % M] } else { y[v / M] });
             let intervals = (0..coarse.edge_count()).map(interval).collect();
