@@ -11,3 +11,5 @@ mod grids;
 mod limits;
 mod meshes;
 mod nets;
+mod polygons;
+mod tuning;

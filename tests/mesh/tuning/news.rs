@@ -1,6 +1,6 @@
 //! Springs that never come to rest, constants that overflow, motions of what is held.
 
-use crate::shapes::{any_surface, plain_cube};
+use crate::tuning::shapes::{any_surface, plain_cube};
 use nalgebra::{Rotation3, SVector, vector};
 use proptest::prelude::*;
 use symspline::{Descend, DooSabin, Error, MeshSprings};

@@ -1,6 +1,6 @@
 //! Refining cubic polygons inserts knots.
 
-use crate::drawn::{Point, cubics, knots, quadratics, within};
+use crate::polygons::drawn::{Point, cubics, knots, quadratics, within};
 use nalgebra::vector;
 use proptest::prelude::*;
 use symspline::{Boundary, CubicPolygon, Q, Result, Scalar, SplineSpace};

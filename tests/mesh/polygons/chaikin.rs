@@ -1,6 +1,6 @@
 //! Chaikin's rule inserts knots, and conversion raises the degree.
 
-use crate::drawn::{Point, knots, quadratics, within};
+use crate::polygons::drawn::{Point, knots, quadratics, within};
 use nalgebra::vector;
 use proptest::prelude::*;
 use symspline::{Boundary, ControlPolygon, Curve, Q, Result, Scalar};

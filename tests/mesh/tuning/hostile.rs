@@ -1,6 +1,6 @@
 //! Bad values, bad springs, bad meshes.
 
-use crate::shapes::plain_cube;
+use crate::tuning::shapes::plain_cube;
 use nalgebra::vector;
 use symspline::{
     Boundary, ControlMesh, Descend, DooSabin, Error, MeshSprings, RelaxedMesh, Result, TuneError,

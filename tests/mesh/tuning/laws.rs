@@ -1,7 +1,7 @@
 //! What holds for all fine-tuned meshes.
 
-use crate::oracle::Oracle;
-use crate::shapes::{any_surface, closed_surface, plain_cube, plain_torus};
+use crate::tuning::oracle::Oracle;
+use crate::tuning::shapes::{any_surface, closed_surface, plain_cube, plain_torus};
 use nalgebra::{Rotation3, SVector, vector};
 use proptest::prelude::*;
 use std::ops::ControlFlow;
