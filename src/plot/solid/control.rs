@@ -1,4 +1,4 @@
-//! Control meshes as they are drawn: faces, edges, and the mesh that looks as if cut of them.
+//! Control meshes as they are drawn: faces, smooth or flat, and edges.
 
 use crate::error::Result;
 use crate::mesh::control_mesh::ControlMesh;
