@@ -13,7 +13,7 @@
 //!
 //! Each step takes a few values and a number of operations linear in the number of unknowns, and allocates nothing.
 
-use crate::fine_tune::records::Records;
+use crate::fine_tune::records::{ROUNDING, Records};
 
 /// When to stop.
 #[derive(Clone, Copy, Debug)]
@@ -45,9 +45,6 @@ pub(crate) struct Descent {
 const FLATTER: f64 = 0.1;
 /// The most values along a line.
 const TRIALS: usize = 40;
-/// By how much a value may exceed another that is equal but for rounding, relatively. A sum of squares loses more digits than
-/// its own size tells.
-const ROUNDING: f64 = 1e-12;
 /// The least slope of a direction, relative to that of the steepest one.
 const STEEP: f64 = 1e-6;
 
@@ -226,7 +223,8 @@ fn turn(direction: &mut [f64], gradient: &[f64], beta: f64) {
     }
 }
 
-fn dot(a: &[f64], b: &[f64]) -> f64 {
+/// The product `Σ a b`.
+pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(x, y)| x * y).sum()
 }
 

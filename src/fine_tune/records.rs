@@ -2,8 +2,9 @@
 
 /// After so many steps that come to no lower value and no smaller gradient than any before, rounding allows no more.
 const IDLE: usize = 50;
-/// By how much values that are equal but for rounding may differ, relatively.
-const ROUNDING: f64 = 1e-12;
+/// By how much values that are equal but for rounding may differ, relatively. A sum of squares loses more digits than its own size
+/// tells.
+pub(crate) const ROUNDING: f64 = 1e-12;
 
 /// The least value and gradient so far, and for how many steps there was nothing less.
 #[derive(Clone, Copy, Debug)]

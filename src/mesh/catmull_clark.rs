@@ -7,7 +7,7 @@
 use crate::error::mesh::MeshError;
 use crate::error::{Error, Result};
 use crate::mesh::boundary::Boundary;
-use crate::mesh::build::check_size;
+use crate::mesh::build::check_refined;
 use crate::mesh::control_mesh::ControlMesh;
 use crate::mesh::cubic_rules;
 use crate::mesh::interval_rules;
@@ -92,8 +92,7 @@ impl<T: Scalar, const N: usize> CatmullClark<T, N> {
     /// # Ok::<(), symspline::Error>(())
     /// ```
     pub fn refined(&self, depth: usize) -> Result<Self> {
-        let growth = 4_usize.saturating_pow(u32::try_from(depth).unwrap_or(u32::MAX));
-        check_size(self.mesh.topology().half_edge_count().saturating_mul(growth))?;
+        check_refined(self.mesh.topology().half_edge_count(), depth)?;
         (0..depth).try_fold(self.clone(), |surface, _| Ok(surface.step()?.0))
     }
 

@@ -81,15 +81,20 @@ impl<T: Scalar, const N: usize> ControlMesh<T, N> {
         ControlMesh::over(self.topology.clone(), points)
     }
 
+    /// The points of the corners of face `f`.
+    pub(crate) fn corners(&self, f: usize) -> impl ExactSizeIterator<Item = &SVector<T, N>> {
+        self.topology.face(f).map(|v| &self.points[v])
+    }
+
     /// The mean of the corners of face `f`.
     ///
     /// # Panics
     /// If there is no face `f`.
     pub fn centroid(&self, f: usize) -> SVector<T, N> {
-        let corners = self.topology.face(f);
+        let corners = self.corners(f);
         let sides = T::int(corners.len() as i64);
         let mut sum = SVector::zeros();
-        corners.for_each(|v| sum += &self.points[v]);
+        corners.for_each(|corner| sum += corner);
         Coeff::divide(&mut sum, &sides);
         sum
     }

@@ -151,7 +151,7 @@ impl<T: Scalar, const N: usize> DooSabin<T, N> {
         let (mut face, mut waves) = (Vec::new(), Waves::default());
         for f in 0..topology.face_count() {
             face.clear();
-            face.extend(topology.face(f).map(|v| self.mesh.points()[v].clone()));
+            face.extend(self.mesh.corners(f).cloned());
             if corners.is_even(f) {
                 rule.apply(&face, &mut waves, &mut moved)?;
             } else {

@@ -28,12 +28,12 @@ impl Topology {
         let mut ranks = vec![NONE; self.edge_count()];
         let base = |rank: usize| half_edges + 4 * rank;
         inner.iter().enumerate().for_each(|(rank, h)| ranks[self.edge_of(*h)] = rank as u32);
-        // The half-edge `next(h) → h`, and the edge and half-edge `h → next(twin h)`.
+        // The edge and the half-edge `h → next(twin h)`.
         let across = |h: usize| {
             let e = self.edge_of(h);
             let far = usize::from(self.side(e) != h);
             let rank = ranks[e] as usize;
-            (base(rank) + 2 * far, half_edges + 2 * rank + far, base(rank) + 2 * far + 1)
+            (half_edges + 2 * rank + far, base(rank) + 2 * far + 1)
         };
 
         let mut fine = Self {
@@ -78,7 +78,7 @@ impl Topology {
                     edges.push(edge_count as u32);
                     edge_count += 1;
                 } else {
-                    let (_, edge, twin) = across(ahead);
+                    let (edge, twin) = across(ahead);
                     twins.push(twin as u32);
                     edges.push(edge as u32);
                     fine.twins[twin] = (first + k) as u32;

@@ -48,7 +48,7 @@ impl<T: Scalar, const N: usize> DooSabin<T, N> {
                     return Ok(self.mesh().centroid(f));
                 }
                 corners.clear();
-                corners.extend(self.mesh().topology().face(f).map(|v| self.mesh().points()[v].clone()));
+                corners.extend(self.mesh().corners(f).cloned());
                 limit(&mut rule, f, &corners)
             })
             .collect()
@@ -112,7 +112,7 @@ impl<T: Real> DooSabin<T, 3> {
         let mut corners = Vec::new();
         let mut normal = |f: usize| {
             corners.clear();
-            corners.extend(self.mesh().topology().face(f).map(|v| self.mesh().points()[v].clone()));
+            corners.extend(self.mesh().corners(f).cloned());
             let across = if rule.is_even(f) {
                 waves.run(&corners)?;
                 // Two places about a quarter of the turn apart.

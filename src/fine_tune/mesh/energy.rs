@@ -13,7 +13,7 @@
 //! its tip down at 0, up at π. Where an angle of 0 is asked for, `θ²` is smooth. Else the energy of the joint falls from the kink to
 //! all sides, so that no minimum lies there. The gradient on a kink is zero, the mean over all sides.
 
-use super::net::{Joint, Net, Vector};
+use super::net::{Net, Vector};
 use crate::fine_tune::chain::direction;
 use crate::fine_tune::joint::Jointed;
 
@@ -32,14 +32,6 @@ impl Net {
         }
     }
 
-    /// The unit vectors and lengths of the legs of a joint.
-    pub(super) fn sides(&self, joint: &Joint) -> [(Vector, f64); 2] {
-        [0, 1].map(|k| {
-            let (unit, length) = self.directions[joint.legs[k]];
-            (unit * joint.signs[k], length)
-        })
-    }
-
     /// The energy with these points, and the gradient.
     ///
     /// A leg without length has no direction; it is not pulled, nor are its joints bent.
@@ -52,10 +44,7 @@ impl Net {
             *pull = unit * (-2.0 * leg.stretch * missing);
         }
         for joint in &self.joints {
-            let [(u, near), (v, far)] = [0, 1].map(|k| {
-                let (unit, length) = self.directions[joint.legs[k]];
-                (unit * joint.signs[k], length)
-            });
+            let [(u, near), (v, far)] = joint.sides(&self.directions);
             let turn = u.turn_to(&v);
             let excess = joint.angle - turn.angle;
             energy += joint.bend * excess * excess;
@@ -87,7 +76,7 @@ impl Net {
             deviations[0] = deviations[0].max(missing.abs() / leg.length);
         }
         for (k, joint) in self.joints.iter().enumerate() {
-            let [(u, _), (v, _)] = self.sides(joint);
+            let [(u, _), (v, _)] = joint.sides(&self.directions);
             let excess = joint.angle - u.turn_to(&v).angle;
             let kind = if k < self.straight { 1 } else { 2 };
             sums[kind] += joint.bend * excess * excess;

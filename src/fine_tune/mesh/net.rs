@@ -33,6 +33,16 @@ pub(super) struct Joint {
     pub bend: f64,
 }
 
+impl Joint {
+    /// The unit vectors and lengths of its legs, whose directions and lengths are given.
+    pub(super) fn sides(&self, directions: &[(Vector, f64)]) -> [(Vector, f64); 2] {
+        [0, 1].map(|k| {
+            let (unit, length) = directions[self.legs[k]];
+            (unit * self.signs[k], length)
+        })
+    }
+}
+
 /// The constants `k_l`, `k_a`, `k_b`, and whether all edges are of one material.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Constants {

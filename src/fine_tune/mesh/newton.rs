@@ -9,15 +9,13 @@
 use super::net::Net;
 use super::springs::Descend;
 use super::stiffness::Stiffness;
-use crate::fine_tune::minimise::{Descent, Energy, Limits, minimise};
-use crate::fine_tune::records::Records;
+use crate::fine_tune::minimise::{Descent, Energy, Limits, dot, minimise};
+use crate::fine_tune::records::{ROUNDING, Records};
 
 /// The least damping that is not zero, and the most.
 const DAMPING: [f64; 2] = [1e-6, 1e6];
 /// The most times a step is halved.
 const HALVINGS: usize = 6;
-/// By how much a value may exceed another that is equal but for rounding, relatively.
-const ROUNDING: f64 = 1e-12;
 
 /// Who is told after so many steps the energy and the length of the gradient, and says whether to go on.
 pub(super) type Watch<'a> = &'a mut dyn FnMut(usize, f64, f64) -> bool;
@@ -127,10 +125,6 @@ fn gauss_newton(x: &mut [f64], limits: &Limits, resting: &mut Resting<'_>) -> De
     }
     let converged = size <= limits.gradient && value.is_finite();
     Descent { before, value, gradient: size, iterations, converged }
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(x, y)| x * y).sum()
 }
 
 #[cfg(test)]

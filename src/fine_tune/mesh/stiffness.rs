@@ -47,7 +47,7 @@ impl Stiffness {
             self.add_leg(leg, unit, *length);
         }
         for (k, joint) in net.joints.iter().enumerate() {
-            let [(u, near), (v, far)] = net.sides(joint);
+            let [(u, near), (v, far)] = joint.sides(&net.directions);
             if !(near > 0.0 && far > 0.0) {
                 continue;
             }
@@ -104,6 +104,18 @@ mod tests {
     use crate::fine_tune::mesh::net::Constants;
     use crate::fine_tune::mesh::net::tests::{mesh, net, noise};
 
+    /// The energies of a net at `x`, and after one step by the stiffness that it has at rest.
+    fn stepped(net: &mut Net, rest: &[f64], mut x: Vec<f64>) -> [f64; 2] {
+        let mut gradient = vec![0.0; x.len()];
+        let before = net.energy(&x, &mut gradient);
+        let mut stiffness = Stiffness::of(net);
+        net.lay(rest);
+        stiffness.renew(net, 0.0);
+        stiffness.soften(&mut gradient);
+        x.iter_mut().zip(&gradient).for_each(|(x, z)| *x -= z);
+        [before, net.energy(&x, &mut gradient)]
+    }
+
     /// One step by the stiffness takes nearly all energy out of a net at rest that was moved a little.
     #[test]
     fn one_step_by_the_stiffness_relaxes_small_moves() {
@@ -113,15 +125,8 @@ mod tests {
                 let free = |v: usize| !few || v > 5;
                 let mut net = net(mesh(seed % 2 == 0, 0.1, seed), |_| 1.0, free, true, &constants);
                 let (rest, mut next) = (net.coordinates(), noise(seed));
-                let mut x: Vec<f64> = rest.iter().map(|x| x + 1e-6 * next()).collect();
-                let mut gradient = vec![0.0; x.len()];
-                let before = net.energy(&x, &mut gradient);
-                let mut stiffness = Stiffness::of(&net);
-                net.lay(&rest);
-                stiffness.renew(&net, 0.0);
-                stiffness.soften(&mut gradient);
-                x.iter_mut().zip(&gradient).for_each(|(x, z)| *x -= z);
-                let after = net.energy(&x, &mut gradient);
+                let x: Vec<f64> = rest.iter().map(|x| x + 1e-6 * next()).collect();
+                let [before, after] = stepped(&mut net, &rest, x);
                 assert!(after < 1e-4 * before, "seed {seed}: {before} to {after}");
             }
         }
@@ -133,16 +138,9 @@ mod tests {
         let constants = Constants { stretch: 1.0, bend: 1.0, shape: 1e-9, uniform: false };
         let mut net = net(mesh(false, 0.0, 0), |_| 1.0, |v| v > 5, true, &constants);
         let (rest, mut next) = (net.coordinates(), noise(7));
-        let mut x: Vec<f64> =
+        let x: Vec<f64> =
             rest.iter().enumerate().map(|(k, x)| x + if k % 3 == 2 { 1e-5 * next() } else { 0.0 }).collect();
-        let mut gradient = vec![0.0; x.len()];
-        let before = net.energy(&x, &mut gradient);
-        let mut stiffness = Stiffness::of(&net);
-        net.lay(&rest);
-        stiffness.renew(&net, 0.0);
-        stiffness.soften(&mut gradient);
-        x.iter_mut().zip(&gradient).for_each(|(x, z)| *x -= z);
-        let after = net.energy(&x, &mut gradient);
+        let [before, after] = stepped(&mut net, &rest, x);
         assert!(after < 1e-4 * before, "{before} to {after}");
     }
 }
