@@ -1,6 +1,6 @@
 //! Spaces taken apart and put together again: how one space is made from another.
 
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::knots::KnotVector;
 use crate::limits::check_dim;
 use crate::scalar::Scalar;
@@ -48,6 +48,41 @@ impl<T: Scalar> SplineSpace<T> {
             return SplineSpace::joined(self.degree(), &KnotVector::new(round)?, end);
         }
         SplineSpace::new(self.degree(), self.knots().iter().map(convert).collect::<Result<Vec<U>>>()?)
+    }
+
+    /// The periodic space whose `knots` run once round from the seam, `knots[0]`, which comes again at `end`.
+    ///
+    /// As [`periodic`](Self::periodic) with the end of the domain instead of a period: over `f64` the end is then this number
+    /// to the last bit, not a rounded sum. With [`knots_round`](Self::knots_round) it gives any periodic space again.
+    ///
+    /// # Errors
+    /// As [`periodic`](Self::periodic).
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::SplineSpace;
+    /// let ring = SplineSpace::periodic(2, [0.1, 1.0, 3.0], 4.2)?;
+    /// let round = ring.knots_round().expect("periodic").to_vec();
+    /// assert_eq!(SplineSpace::periodic_up_to(2, round, *ring.domain().1)?, ring);
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    pub fn periodic_up_to(degree: usize, knots: impl IntoIterator<Item = T>, end: T) -> Result<Self> {
+        match KnotVector::new(knots)? {
+            round if round.is_empty() => Err(Error::TooFewKnots { expected: 1, found: 0 }),
+            round => Self::joined(degree, &round, end),
+        }
+    }
+
+    /// The knots of a periodic space once round, the seam at the start only; none of an open one.
+    ///
+    /// # Examples
+    /// ```
+    /// use symspline::SplineSpace;
+    /// assert_eq!(SplineSpace::uniform_periodic(3, 4, 0.0, 4.0)?.knots_round(), Some([0.0, 1.0, 2.0, 3.0].as_slice()));
+    /// # Ok::<(), symspline::Error>(())
+    /// ```
+    pub fn knots_round(&self) -> Option<&[T]> {
+        self.is_periodic().then(|| self.round_knots())
     }
 
     /// The open space of `degree` with these parts.

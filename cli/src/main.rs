@@ -1,0 +1,3 @@
+//! Exact spline algebra and fine tuning of curves and surfaces on the command line.
+
+fn main() {}

@@ -1,0 +1,70 @@
+//! The formats, and how they are told from names of files.
+
+use crate::error::{Problem, Result};
+use std::path::Path;
+
+/// A format of files.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Format {
+    /// The form of this library: JSON, without loss, exact numbers as fractions.
+    Json,
+}
+
+/// Each format: what it is called, the endings of names, whether it is read, whether it is written.
+const TABLE: [(Format, &str, &[&str], bool, bool); 1] = [(Format::Json, "JSON", &["json"], true, true)];
+
+impl Format {
+    /// The format that the ending of a file's name tells, in upper or lower case.
+    ///
+    /// # Errors
+    /// [`Problem::UnknownFormat`].
+    pub fn of(path: &Path) -> Result<Self> {
+        let ending =
+            path.extension().map(|ending| ending.to_string_lossy().to_lowercase()).unwrap_or_default();
+        Self::by_name(&ending)
+    }
+
+    /// The format with this ending.
+    ///
+    /// # Errors
+    /// [`Problem::UnknownFormat`].
+    pub fn by_name(ending: &str) -> Result<Self> {
+        match TABLE.iter().find(|row| row.2.contains(&ending)) {
+            Some(row) => Ok(row.0),
+            None => {
+                let known: Vec<&str> = TABLE.iter().flat_map(|row| row.2).copied().collect();
+                Err(Problem::UnknownFormat { known: known.join(", ") }.of_file())
+            }
+        }
+    }
+
+    /// All formats.
+    pub fn all() -> impl Iterator<Item = Self> {
+        TABLE.iter().map(|row| row.0)
+    }
+
+    /// What it is called.
+    pub fn name(self) -> &'static str {
+        self.row().1
+    }
+
+    /// The endings of names of its files.
+    pub fn endings(self) -> &'static [&'static str] {
+        self.row().2
+    }
+
+    /// Whether it is read.
+    pub fn is_read(self) -> bool {
+        self.row().3
+    }
+
+    /// Whether it is written.
+    pub fn is_written(self) -> bool {
+        self.row().4
+    }
+
+    fn row(self) -> &'static (Self, &'static str, &'static [&'static str], bool, bool) {
+        TABLE.iter().find(|row| row.0 == self).expect("each format has a row")
+    }
+}
