@@ -1,1 +1,22 @@
-//! The Python package `symspline`.
+//! The Python package `symspline`: classes around the values of `symspline_dynamic`, methods around the library's.
+//!
+//! Numbers: whole numbers and `fractions.Fraction` are exact, and so is what is made of them. A float anywhere makes floats of the
+//! whole, as with Python's own numbers; arrays of floats are `numpy` arrays of `float64`, of fractions arrays of objects. Methods
+//! that may take long release the interpreter's lock.
+
+// From the ground up: a module uses only what stands above it.
+mod error;
+mod numbers;
+mod space;
+mod spline;
+
+use pyo3::prelude::*;
+
+#[pymodule]
+fn _symspline(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add("__version__", env!("CARGO_PKG_VERSION"))?;
+    error::register(module)?;
+    module.add_class::<space::Space>()?;
+    module.add_class::<spline::Spline>()?;
+    Ok(())
+}

@@ -2,6 +2,7 @@
 
 /// Why a spline was not deformed.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub enum DeformError {
     /// A material has a weight that is negative or not finite.

@@ -4,6 +4,7 @@ use crate::error::obj::ObjError;
 
 /// What is wrong with a mesh.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub enum MeshError {
     /// A mesh without faces.

@@ -18,6 +18,7 @@ pub type Result<T> = std::result::Result<T, Error>;
 
 /// Why an operation refused. Values of a field stand as text, so that one enum serves every field.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub enum Error {
     /// A value is NaN or infinite.

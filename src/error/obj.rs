@@ -2,6 +2,7 @@
 
 /// Why an OBJ file was not read. Lines are counted from 1, as editors do; of continued ones the first.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub enum ObjError {
     /// A line that begins with no word of the format, or with one for free-form curves and surfaces.

@@ -2,6 +2,7 @@
 
 /// Why a shape tool refused: what was picked cannot do what was asked.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub enum ShapeError {
     /// A control point, or several with their shares, have no influence at the picked parameter.

@@ -4,6 +4,7 @@ use crate::error::Error;
 
 /// Why no skin was laid over sections.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub enum SkinError {
     /// Not enough sections.

@@ -2,6 +2,7 @@
 
 /// Why fine tuning refused.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub enum TuneError {
     /// Over an exact field an area can be kept where the curve itself meets all other conditions, and only there.
