@@ -1,36 +1,4 @@
-//! Exact algebra of spline curves and surfaces, polynomial and rational, fine tuning of both, shape tools, and
-//! deformable splines.
-//!
-//! A [`SplineSpace`] is a value: a degree, knots, and how the ends meet. A [`Spline`] is a list of coefficients in a
-//! space: numbers ([`Function`]) or points ([`Curve`]). Operators are maps between spaces, kept as rows of weights
-//! ([`LinearMap`], [`BilinearMap`]), and run over any ordered field ([`Scalar`]): over `f64`, and exactly over the rationals
-//! [`Q`]. A surface ([`TensorSpline`]) is a spline of rows, a rational spline ([`Rational`]) one of weighted points: they ride
-//! through the same operators.
-//!
-//! # Examples
-//! The integral of a product, by two routes, exactly:
-//! ```
-//! use symspline::{Function, Q, Scalar, SplineSpace};
-//! let hat = Function::new(SplineSpace::clamped(1, [0, 1, 3].map(Q::int))?, [0, 1, 0].map(Q::int).to_vec())?;
-//! let wave = Function::new(SplineSpace::clamped(2, [0, 2, 3].map(Q::int))?, [0, 3, -1, 2].map(Q::int).to_vec())?;
-//! let product = (&hat * &wave).integral()?;
-//! let by_gram = hat.space().gram(wave.space(), 0, 0)?.apply(wave.coeffs())?;
-//! assert_eq!(product, Q::dot(hat.coeffs().iter().zip(&by_gram)));
-//! # Ok::<(), symspline::Error>(())
-//! ```
-//!
-//! # Where things are
-//! - spaces: [`SplineSpace`], with its methods for finer, united and product spaces and for basis functions;
-//! - operators: methods of [`Spline`], explained file by file in [`ops`];
-//! - surfaces: [`tensor`]; rational curves and surfaces: [`rational`];
-//! - splines from data, skins, and conics: [`build`];
-//! - roots of polynomials: [`roots`];
-//! - zeros, curvature profiles, lengths, frames, nearest points, meetings: [`analysis`];
-//! - fine tuning: [`fine_tune`];
-//! - shape tools: control points, weights, warps, bends, constraints: [`shape`];
-//! - deformable splines: materials, forces, constraints at least energy: [`deform`];
-//! - subdivision curves and surfaces: [`mesh`]; OBJ files of meshes: [`io::obj`];
-//! - pictures: the module `plot`, behind the feature of that name.
+#![doc = include_str!("../docs/guide.md")]
 
 // The modules from the ground up: a module uses only what stands above it (tests/floors.rs).
 pub mod error;
@@ -216,3 +184,7 @@ pub use weighted::Weighted;
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;
+
+#[cfg(doctest)]
+#[doc = include_str!("../docs/cookbook.md")]
+struct Cookbook;
