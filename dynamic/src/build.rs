@@ -5,7 +5,6 @@ use crate::error::{Error, Result};
 use crate::family::{AnyRational, AnyRationalSurface, AnySpline, AnySurface};
 use crate::number::points;
 use crate::over::{AnySpace, Coords, Over};
-use nalgebra::SVector;
 use symspline::{Interval, Q, Rational, Rectangle, Spline, TensorSpline};
 
 /// One text for each dimension: `C` is the type of coefficients over the field.
@@ -17,17 +16,19 @@ macro_rules! of_dim {
                 Ok(Any::from($body?))
             }
             2 => {
-                type $C = SVector<$T, 2>;
+                type $C = nalgebra::SVector<$T, 2>;
                 Ok(Any::from($body?))
             }
             3 => {
-                type $C = SVector<$T, 3>;
+                type $C = nalgebra::SVector<$T, 3>;
                 Ok(Any::from($body?))
             }
             found => Err(Error::Dimension { found, least: 1 }),
         }
     };
 }
+
+pub(crate) use of_dim;
 
 impl AnySpline {
     /// The spline with these coefficients, `dim` coordinates each.

@@ -143,7 +143,8 @@ impl Value {
         })
     }
 
-    /// The product: of numbers, of a number and anything, of a function and a spline. For two curves see [`dot`](Self::dot).
+    /// The product: of numbers, of a number and anything, of a function and a spline or a vector. For two curves see
+    /// [`dot`](Self::dot).
     ///
     /// # Errors
     /// As [`sum`](Self::sum).
@@ -163,6 +164,10 @@ impl Value {
             (RationalSurface(s), RationalSurface(t)) if s.dim().min(t.dim()) == 1 => {
                 either_times(&s, &t, AnyRationalSurface::times)?.into()
             }
+            // A function times a vector: the matrix of one column.
+            (s, Value::Point(p)) | (Value::Point(p), s) if s.dim() == 1 => {
+                s.under(&p)?.ok_or_else(|| self.none_with("product", other))?
+            }
             _ => return Err(self.none_with("product", other)),
         })
     }
@@ -179,11 +184,36 @@ impl Value {
             (Surface(s), Surface(t)) => AnyRationalSurface::quotient(&s, &t)?.into(),
             (Rational(s), Rational(t)) => s.divided(&t)?.into(),
             (RationalSurface(s), RationalSurface(t)) => s.divided(&t)?.into(),
+            (x @ (Number(_) | Value::Point(_)), s) if s.dim() == 1 => s.one()?.product(&x)?.quotient(&s)?,
             _ => return Err(self.none_with("quotient", other)),
         })
     }
 
-    /// The inner product of the values: of points a number, of curves a function.
+    /// The power: of a number or a function.
+    ///
+    /// # Errors
+    /// [`Error::NoSuch`]; those of the library: the degree may get too high.
+    pub fn power(&self, exponent: usize) -> Result<Self> {
+        if exponent == 0 {
+            return self.one();
+        }
+        // The binary digits after the first.
+        let digits = (0..exponent.ilog2()).rev().map(|k| exponent >> k & 1);
+        digits.into_iter().try_fold(self.clone(), |power, digit| {
+            let square = power.product(&power)?;
+            if digit == 1 { square.product(self) } else { Ok(square) }
+        })
+    }
+
+    /// The one in the space of this function.
+    fn one(&self) -> Result<Self> {
+        match self.dim() {
+            1 => self.scaled(&Over::Exact(Q::int(0)))?.sum(&Value::Number(Over::Exact(Q::int(1)))),
+            _ => Err(self.none("power")),
+        }
+    }
+
+    /// The inner product of the values: of points a number, of curves, or of a curve and a vector, a function.
     ///
     /// # Errors
     /// As [`sum`](Self::sum).
@@ -198,8 +228,24 @@ impl Value {
             (Surface(s), Surface(t)) => s.dot(&t)?.into(),
             (Rational(s), Rational(t)) => s.dot(&t)?.into(),
             (RationalSurface(s), RationalSurface(t)) => s.dot(&t)?.into(),
+            // With a vector: the matrix of one row.
+            (s, Point(p)) | (Point(p), s) if s.dim() == p.len() => {
+                s.under(&p)?.ok_or_else(|| self.none_with("dot product", other))?
+            }
             _ => return Err(self.none_with("dot product", other)),
         })
+    }
+
+    /// The image under a matrix of this one's field, if it is a spline.
+    fn under(&self, matrix: &Coords) -> Result<Option<Self>> {
+        let matrix = if self.is_exact() { matrix.to_exact()? } else { matrix.to_float()? };
+        Ok(Some(match self {
+            Self::Spline(s) => s.transformed(&matrix)?.into(),
+            Self::Surface(s) => s.transformed(&matrix)?.into(),
+            Self::Rational(s) => s.transformed(&matrix)?.into(),
+            Self::RationalSurface(s) => s.transformed(&matrix)?.into(),
+            _ => return Ok(None),
+        }))
     }
 
     /// The cross product of the values: of plane curves a function, in space vectors.

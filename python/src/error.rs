@@ -4,10 +4,10 @@ use pyo3::create_exception;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use serde_json::Value as Json;
+use serde_json::{Value as Json, json};
 
 create_exception!(
-    _symspline,
+    symspline,
     SymsplineError,
     PyValueError,
     "What the library refused.\n\n`kind` is the name of the kind of error, such as \"OutsideDomain\", and `data` a dict of what belongs to it: places, sizes, values."
@@ -67,15 +67,29 @@ impl From<symspline_dynamic::Error> for Failure {
             error => {
                 let kind = format!("{error:?}");
                 let kind = kind.split(|c: char| !c.is_alphanumeric()).next().unwrap_or("Error").to_owned();
-                Self { message: error.to_string(), kind, data: Json::Object(Default::default()) }
+                Self { message: error.to_string(), kind, data: dynamic_data(&error) }
             }
         }
     }
 }
 
+/// What belongs to an error of kinds, fields and dimensions.
+fn dynamic_data(error: &symspline_dynamic::Error) -> Json {
+    use symspline_dynamic::Error::{Dimension, Dimensions, Fields, NoSuch, NotANumber, Torn};
+    match error {
+        Fields { left, right } => json!({ "left": left, "right": right }),
+        Dimensions { left, right } => json!({ "left": right, "right": left }),
+        Dimension { found, least } => json!({ "found": found, "least": least }),
+        Torn { count, dim } => json!({ "count": count, "dim": dim }),
+        NoSuch { operation, left, right } => json!({ "operation": operation, "left": left, "right": right }),
+        NotANumber { text } => json!({ "text": text }),
+        _ => json!({}),
+    }
+}
+
 impl From<symspline_files::FileError> for Failure {
     fn from(error: symspline_files::FileError) -> Self {
-        let data = serde_json::json!({ "file": error.file, "place": error.place.to_string() });
+        let data = json!({ "file": error.file, "place": error.place.to_string() });
         Self { message: error.to_string(), kind: String::from("File"), data }
     }
 }

@@ -6,9 +6,25 @@
 
 // From the ground up: a module uses only what stands above it.
 mod error;
+#[macro_use]
 mod numbers;
+mod arguments;
 mod space;
+mod maps;
 mod spline;
+mod surface;
+mod rational;
+mod rational_surface;
+mod value;
+mod arithmetic;
+mod evaluate;
+mod operators;
+mod calculus;
+mod pieces;
+mod approximate;
+mod range;
+mod data;
+mod scipy;
 
 use pyo3::prelude::*;
 
@@ -18,5 +34,9 @@ fn _symspline(module: &Bound<'_, PyModule>) -> PyResult<()> {
     error::register(module)?;
     module.add_class::<space::Space>()?;
     module.add_class::<spline::Spline>()?;
+    module.add_class::<range::Extremum>()?;
+    module.add_class::<surface::Surface>()?;
+    module.add_class::<rational::Rational>()?;
+    module.add_class::<rational_surface::RationalSurface>()?;
     Ok(())
 }

@@ -3,12 +3,16 @@
 use crate::error::Failure;
 use num_rational::BigRational;
 use numpy::ndarray::ArrayD;
-use numpy::{IntoPyArray as _, PyArrayDyn, PyReadonlyArrayDyn, PyUntypedArrayMethods as _};
+use numpy::{
+    IntoPyArray as _, PyArrayDescrMethods as _, PyArrayDyn, PyReadonlyArrayDyn, PyUntypedArray,
+    PyUntypedArrayMethods as _,
+};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
-use pyo3::types::{PyFloat, PyInt, PyString};
+use pyo3::types::{PyBytes, PyDict, PyFloat, PyInt, PySet, PyString};
 use symspline::Q;
-use symspline_dynamic::{Coords, Number, Over};
+use symspline::limits::MAX_ENTRIES;
+use symspline_dynamic::{Coords, Field, Number, Over};
 
 /// A number from Python: whole numbers and fractions are exact, floats are floats.
 #[derive(Debug)]
@@ -38,6 +42,13 @@ impl<'py> FromPyObject<'_, 'py> for Num {
     }
 }
 
+impl Num {
+    /// A whole number.
+    pub fn int(n: i64) -> Self {
+        Self(Over::Exact(Q::from(n)))
+    }
+}
+
 /// A number on its way to Python: a `Fraction` or a float.
 impl<'py> IntoPyObject<'py> for Num {
     type Target = PyAny;
@@ -56,6 +67,28 @@ fn fraction<'py>(py: Python<'py>, x: &Q) -> PyResult<Bound<'py, PyAny>> {
     BigRational::from(x.clone()).into_pyobject(py)
 }
 
+/// One text for two things over one field, which `together!` has seen to.
+macro_rules! both_alike {
+    ($left:expr, $right:expr, $s:ident, $t:ident => $body:expr) => {
+        both_alike!($left, $right, _Field, $s, $t => $body)
+    };
+    ($left:expr, $right:expr, $T:ident, $s:ident, $t:ident => $body:expr) => {
+        match ($left, $right) {
+            (symspline_dynamic::Over::Float($s), symspline_dynamic::Over::Float($t)) => {
+                #[allow(dead_code, reason = "not every text names its field")]
+                type $T = f64;
+                $body
+            }
+            (symspline_dynamic::Over::Exact($s), symspline_dynamic::Over::Exact($t)) => {
+                #[allow(dead_code, reason = "not every text names its field")]
+                type $T = symspline::Q;
+                $body
+            }
+            (s, t) => Err(symspline_dynamic::Error::Fields { left: s.field(), right: t.field() }.into()),
+        }
+    };
+}
+
 /// Numbers with a shape: an array, or lists in lists.
 #[derive(Debug)]
 pub struct Array {
@@ -66,9 +99,41 @@ pub struct Array {
 }
 
 impl Array {
+    /// The numbers in one row.
+    pub fn row<T: Field>(numbers: Vec<T>) -> Self {
+        Self { shape: vec![numbers.len()], numbers: T::coords(numbers) }
+    }
+
     /// The numbers with this shape.
     pub fn new(shape: Vec<usize>, numbers: Coords) -> Self {
         Self { shape, numbers }
+    }
+
+    /// Points of `dim` coordinates along the axes of `shape`; numbers, if there is one coordinate.
+    pub fn points(mut shape: Vec<usize>, dim: usize, numbers: Coords) -> Self {
+        if dim > 1 {
+            shape.push(dim);
+        }
+        Self { shape, numbers }
+    }
+
+    /// The numbers, if there is one axis.
+    ///
+    /// # Errors
+    /// "Shape".
+    pub fn list(self) -> Result<Coords, Failure> {
+        match self.shape.len() {
+            1 => Ok(self.numbers),
+            n => Err(Failure::new("Shape", format!("an array of one axis is needed, it has {n}"))),
+        }
+    }
+
+    /// The number of the array, or its numbers if it has one axis: a point.
+    ///
+    /// # Errors
+    /// "Shape".
+    pub fn point(self) -> Result<Coords, Failure> {
+        if self.shape.is_empty() { Ok(self.numbers) } else { self.list() }
     }
 
     /// How many coordinates the points along the first `axes` axes have: one if there is no further axis.
@@ -98,6 +163,23 @@ impl<'py> FromPyObject<'_, 'py> for Array {
         if object.cast::<PyInt>().is_ok() || object.cast::<PyFloat>().is_ok() {
             return object.extract::<Num>().map(|x| Self { shape: Vec::new(), numbers: one(x.0) });
         }
+        if let Ok(array) = object.cast::<PyUntypedArray>() {
+            return match array.dtype().kind() {
+                // Floats of other sizes.
+                b'f' => array.call_method1("astype", ("float64",))?.extract(),
+                // What is in it tells whether it is exact: whole numbers, or objects.
+                b'i' | b'u' | b'b' | b'O' => {
+                    let (mut shape, mut all) = (Vec::new(), Vec::new());
+                    gather(&array.call_method0("tolist")?, 0, &mut shape, &mut all)?;
+                    // An axis of length zero hides those after it.
+                    Ok(Self { shape: array.shape().to_vec(), numbers: unite(all)? })
+                }
+                kind => Err(PyTypeError::new_err(format!(
+                    "an array of kind '{}' holds no numbers: int, Fraction and float are",
+                    char::from(kind)
+                ))),
+            };
+        }
         let (mut shape, mut all) = (Vec::new(), Vec::new());
         gather(&object, 0, &mut shape, &mut all)?;
         Ok(Self { shape, numbers: unite(all)? })
@@ -121,10 +203,20 @@ fn gather(
     shape: &mut Vec<usize>,
     all: &mut Vec<Number>,
 ) -> PyResult<()> {
-    let nested = !object.is_instance_of::<PyString>() && object.len().is_ok();
+    let no_list = object.is_instance_of::<PyString>()
+        || object.is_instance_of::<PyBytes>()
+        || object.is_instance_of::<PyDict>()
+        || object.is_instance_of::<PySet>();
+    let nested = !no_list && object.len().is_ok();
     if !nested {
         if shape.len() != depth {
             return Err(Failure::new("Ragged", "lists of different depths do not make an array").into());
+        }
+        if all.len() == MAX_ENTRIES {
+            let limit = MAX_ENTRIES;
+            return Err(
+                Failure::from(symspline::Error::TooLarge { count: limit.saturating_add(1), limit }).into()
+            );
         }
         all.push(object.extract::<Num>()?.0);
         return Ok(());
@@ -139,7 +231,20 @@ fn gather(
         Some(first) if *first == length => {}
         _ => return Err(Failure::new("Ragged", "lists of different lengths do not make an array").into()),
     }
-    object.try_iter()?.try_for_each(|inner| gather(&inner?, depth + 1, shape, all))
+    // What is iterated over may lie about its length.
+    let mut count = 0;
+    for inner in object.try_iter()?.take(length.saturating_add(1)) {
+        gather(&inner?, depth + 1, shape, all)?;
+        count += 1;
+    }
+    if count != length {
+        return Err(Failure::new(
+            "Ragged",
+            format!("a list of length {length} does not have as many entries"),
+        )
+        .into());
+    }
+    Ok(())
 }
 
 /// Over fractions if all are, else over floats.

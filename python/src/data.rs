@@ -1,0 +1,276 @@
+//! Splines from data: interpolation, least squares, conics, skins.
+
+use crate::arguments::AtEnds;
+use crate::error::{Failure, Result};
+use crate::numbers::{Array, Num};
+use crate::rational::Rational;
+use crate::space::Space;
+use crate::spline::Spline;
+use crate::surface::Surface;
+use nalgebra::SVector;
+use pyo3::prelude::*;
+use symspline::{Error, Skin, Spline as SplineOf};
+use symspline_dynamic::operators::coefficient;
+use symspline_dynamic::{Any, AnySpline, Coords, Field, Spaced, both, each, together, with_points};
+
+/// One text for data at parameters in a space: `$x` parameters, `$p` points.
+macro_rules! fitted {
+    ($py:ident, $space:ident, $parameters:ident, $data:ident, $T:ident, $s:ident, $x:ident, $p:ident => $body:expr) => {{
+        let dim = $data.dim(1)?;
+        let (space, parameters, data) = (&$space.0, &$parameters.list()?, &$data.numbers);
+        together!(space, parameters, data);
+        $py.detach(|| {
+            with_points!(&*data, dim, $T, $p => {
+                let ($s, $x) = (<$T as Spaced>::space(&space)?, $T::all_of(&parameters)?);
+                Ok(Self($body?.into()))
+            })
+        })
+    }};
+}
+
+#[pymethods]
+impl Spline {
+    /// The segment from a point to another, over `[0, 1]`.
+    #[staticmethod]
+    fn segment(start: Array, end: Array) -> Result<Self> {
+        let (a, b) = (&start.point()?, &end.point()?);
+        together!(a, b);
+        both!(&*a, T, a => {
+            let space = symspline::SplineSpace::<T>::bezier(1, T::of(&Num::int(0).0)?, T::of(&Num::int(1).0)?)?;
+            if a.len() != b.len() {
+                return Err(symspline_dynamic::Error::Dimensions { left: a.len(), right: b.len() }.into());
+            }
+            let ends = T::coords(a.iter().cloned().chain(T::all_of(&b)?).collect());
+            Ok(Self(AnySpline::new(space.into(), a.len(), ends)?))
+        })
+    }
+
+    /// The ring of a degree with these control points, of shape `(n,)` or `(n, d)`, over `[0, 1]`.
+    #[staticmethod]
+    fn closed(degree: usize, vertices: Array) -> Result<Self> {
+        let dim = vertices.dim(1)?;
+        with_points!(&vertices.numbers, dim, T, p => Ok(Self(SplineOf::<T, _>::closed(degree, p)?.into())))
+    }
+
+    /// The spline of `space` with the values `data`, of shape `(n,)` or `(n, d)`, at `parameters`, of shape `(n,)`: as many as
+    /// coefficients.
+    #[staticmethod]
+    fn interpolating(py: Python<'_>, space: &Space, parameters: Array, data: Array) -> Result<Self> {
+        fitted!(py, space, parameters, data, T, s, x, p => SplineOf::interpolating(s, &x, &p))
+    }
+
+    /// As `interpolating`; a parameter that is repeated asks for derivatives.
+    #[staticmethod]
+    fn osculating(py: Python<'_>, space: &Space, parameters: Array, data: Array) -> Result<Self> {
+        fitted!(py, space, parameters, data, T, s, x, p => SplineOf::osculating(s, &x, &p))
+    }
+
+    /// The spline of `space` with the least sum of squared distances from `data`, of shape `(n,)` or `(n, d)`, at `parameters`; with
+    /// `ends="held"` it starts and ends at the first and last point.
+    #[staticmethod]
+    #[pyo3(signature = (space, parameters, data, ends=AtEnds(symspline::Ends::Free)))]
+    fn least_squares(
+        py: Python<'_>,
+        space: &Space,
+        parameters: Array,
+        data: Array,
+        ends: AtEnds,
+    ) -> Result<Self> {
+        fitted!(py, space, parameters, data, T, s, x, p => SplineOf::least_squares(s, &x, &p, ends.0))
+    }
+
+    /// The largest squared distance of `data` from the values at `parameters`.
+    fn largest_squared_residual(&self, py: Python<'_>, parameters: Array, data: Array) -> Result<Num> {
+        let found = data.dim(1)?;
+        if found != self.0.dim() {
+            return Err(symspline_dynamic::Error::Dimensions { left: self.0.dim(), right: found }.into());
+        }
+        let (s, x, data) = (&self.0, &parameters.list()?, &data.numbers);
+        together!(s, x, data);
+        py.detach(|| {
+            each!(&*s, T, s => {
+                let points = symspline_dynamic::number::points::<T, _>(&T::all_of(&data)?)?;
+                Ok(Num(s.largest_squared_residual(&T::all_of(&x)?, &points)?.number()))
+            })
+        })
+    }
+
+    /// The quasi-interpolant of a Python function in `space`: `sample(x)` gives a number or a point.
+    #[staticmethod]
+    fn quasi_interpolant(py: Python<'_>, space: &Space, sample: &Bound<'_, PyAny>) -> PyResult<Self> {
+        // The first call tells the dimension, and whether the values are exact.
+        let ask = |x: Num| -> PyResult<Coords> { Ok(sample.call1((x,))?.extract::<Array>()?.point()?) };
+        let first = ask(Num(both!(&space.0, s => s.domain().0.clone().number())))?;
+        let s = &space.0;
+        let values = &first;
+        let _ = py;
+        (|| -> Result<std::result::Result<Self, PyErr>> {
+            together!(s, values);
+            with_points!(&*values, first.len(), T, p => {
+                let mut point = p.into_iter().next().ok_or_else(|| Failure::new("Shape", "no value"))?;
+                let mut raised = None;
+                let found = <T as Spaced>::space(&s)?.quasi_interpolant(|x| {
+                    let value = ask(Num(x.clone().number())).and_then(|c| Ok(coefficient::<T, _>(&c).map_err(Failure::from)?));
+                    match value {
+                        Ok(value) => point = value,
+                        Err(error) => {
+                            raised = Some(error);
+                            return Err(Error::NotFinite { what: "sample", index: 0 });
+                        }
+                    }
+                    Ok(point.clone())
+                });
+                match raised {
+                    Some(error) => Ok(Err(error)),
+                    None => Ok(Ok(Self(found?.into()))),
+                }
+            })
+        })()?
+    }
+}
+
+/// A point in the plane.
+fn plane<T: Field>(point: &Coords) -> Result<SVector<T, 2>> {
+    Ok(coefficient(point)?)
+}
+
+#[pymethods]
+impl Rational {
+    /// The circle around a point of the plane, over `[0, 1]`, in four pieces of degree 2.
+    #[staticmethod]
+    fn circle(centre: Array, radius: Num) -> Result<Self> {
+        let (c, r) = (&centre.point()?, &radius.0);
+        together!(c, r);
+        both!(&*r, T, r => Ok(Self(symspline::circle::<T>(&plane(&c)?, r)?.into())))
+    }
+
+    /// The ellipse with a centre and two half axes, points of the plane or of space.
+    #[staticmethod]
+    fn ellipse(centre: Array, a: Array, b: Array) -> Result<Self> {
+        let (c, a, b) = (&centre.point()?, &a.point()?, &b.point()?);
+        together!(c, a, b);
+        both!(&*c, T, _c => match c.len() {
+            2 => Ok(Self(symspline::ellipse::<T, 2>(&plane(&c)?, &plane(&a)?, &plane(&b)?)?.into())),
+            3 => Ok(Self(symspline::ellipse::<T, 3>(&coefficient(&c)?, &coefficient(&a)?, &coefficient(&b)?)?.into())),
+            found => Err(symspline_dynamic::Error::Dimension { found, least: 2 }.into()),
+        })
+    }
+
+    /// The arc around a point of the plane from a point to another, counter-clockwise.
+    #[staticmethod]
+    fn arc(centre: Array, start: Array, end: Array) -> Result<Self> {
+        let (c, a, b) = (&centre.point()?, &start.point()?, &end.point()?);
+        together!(c, a, b);
+        both!(&*c, T, _c => Ok(Self(symspline::arc::<T>(&plane(&c)?, &plane(&a)?, &plane(&b)?)?.into())))
+    }
+
+    /// The arc around a point of the plane that starts at an angle and turns by another, in radians, in floats.
+    #[staticmethod]
+    fn arc_by_angles(centre: Array, radius: Num, start: Num, sweep: Num) -> Result<Self> {
+        let [radius, start, sweep] = [f64::of(&radius.0)?, f64::of(&start.0)?, f64::of(&sweep.0)?];
+        Ok(Self(symspline::arc_by_angles(&plane(&centre.point()?)?, &radius, &start, &sweep)?.into()))
+    }
+
+    /// The conic with three control points, of shape `(3, d)`, and three weights.
+    #[staticmethod]
+    fn conic(points: Array, weights: Array) -> Result<Self> {
+        let zero_one = Space(symspline_dynamic::AnySpace::from(symspline::SplineSpace::bezier(
+            2,
+            symspline::Q::from(0_i64),
+            symspline::Q::from(1_i64),
+        )?));
+        let dim = points.dim(1)?;
+        let (s, c, w) = (&zero_one.0, &points.numbers, &weights.list()?);
+        together!(s, c, w);
+        Ok(Self(symspline_dynamic::AnyRational::new(s.into_owned(), dim, c.into_owned(), w.into_owned())?))
+    }
+}
+
+#[pymethods]
+impl Surface {
+    /// The skin through curves, its sections at `parameters` of `v` (evenly spaced, or by "chord" length or "centripetal"), of a degree
+    /// in `v`. With `closed` it comes back to the first; `start` and `end` are curves of tangents across the first and last section.
+    #[staticmethod]
+    #[pyo3(signature = (sections, degree, parameters=None, *, spacing=None, closed=false, start=None, end=None))]
+    #[allow(clippy::too_many_arguments, reason = "they are the keywords of Python")]
+    fn skin(
+        py: Python<'_>,
+        sections: Vec<Spline>,
+        degree: usize,
+        parameters: Option<Array>,
+        spacing: Option<&str>,
+        closed: bool,
+        start: Option<Spline>,
+        end: Option<Spline>,
+    ) -> Result<Self> {
+        let parameters = parameters.map(Array::list).transpose()?;
+        let all = sections.iter().chain(&start).chain(&end);
+        let exact = all.clone().all(|s| s.0.is_exact()) && parameters.as_ref().is_none_or(Coords::is_exact);
+        let exact = exact && spacing.is_none();
+        let field =
+            |s: &Spline| -> Result<AnySpline> { Ok(if exact { s.0.clone() } else { s.0.to_float()? }) };
+        let sections = sections.iter().map(field).collect::<Result<Vec<_>>>()?;
+        let [start, end] = [start, end].map(|s| s.as_ref().map(field).transpose());
+        let (start, end) = (start?, end?);
+        let Some(first) = sections.first() else {
+            return Err(Error::from(symspline::SkinError::TooFewSections { expected: 2, found: 0 }).into());
+        };
+        // One text for each kind of curve; the spacing by lengths is for floats alone.
+        macro_rules! skin {
+            ($($kind:ident: $T:ty, $spaced:expr;)+) => {
+                match first {
+                    $(Any::$kind(_) => {
+                        let inner = |s: &AnySpline| match s {
+                            Any::$kind(s) => Ok(s.clone()),
+                            other => Err(Failure::from(symspline_dynamic::Error::Dimensions {
+                                left: first.dim(),
+                                right: other.dim(),
+                            })),
+                        };
+                        let curves = sections.iter().map(inner).collect::<Result<Vec<_>>>()?;
+                        let mut skin = if closed { Skin::closed_through(&curves)? } else { Skin::through(&curves)? };
+                        if let Some(parameters) = &parameters {
+                            skin = skin.with_parameters(&<$T>::all_of(parameters)?)?;
+                        }
+                        if let Some(spacing) = spacing {
+                            skin = $spaced(skin, spacing)?;
+                        }
+                        if let Some(start) = &start {
+                            skin = skin.start_tangents(&inner(start)?)?;
+                        }
+                        if let Some(end) = &end {
+                            skin = skin.end_tangents(&inner(end)?)?;
+                        }
+                        Ok(Self(skin.surface(degree)?.into()))
+                    })+
+                }
+            };
+        }
+        fn lengths<const N: usize>(
+            skin: Skin<f64, SVector<f64, N>>,
+            spacing: &str,
+        ) -> Result<Skin<f64, SVector<f64, N>>> {
+            match spacing {
+                "chord" => Ok(skin.by_chord_length()?),
+                "centripetal" => Ok(skin.centripetal()?),
+                other => Err(Failure::new(
+                    "Spacing",
+                    format!("'{other}' is no spacing: \"chord\" or \"centripetal\" is"),
+                )),
+            }
+        }
+        fn none<S>(_: S, _: &str) -> Result<S> {
+            Err(Failure::new("Spacing", "spacing by lengths is for curves over floats"))
+        }
+        py.detach(|| {
+            skin!(
+                F1: f64, none;
+                F2: f64, lengths;
+                F3: f64, lengths;
+                Q1: symspline::Q, none;
+                Q2: symspline::Q, none;
+                Q3: symspline::Q, none;
+            )
+        })
+    }
+}
