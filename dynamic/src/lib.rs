@@ -29,6 +29,7 @@ pub mod arithmetic;
 pub mod operators;
 pub mod value;
 pub mod values;
+pub mod tools;
 
 pub use any::{Any, Family};
 pub use error::{Error, Result};

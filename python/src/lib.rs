@@ -9,6 +9,10 @@ mod error;
 mod numbers;
 mod space;
 mod spline;
+mod surface;
+mod rational;
+mod rational_surface;
+mod tools;
 
 use pyo3::prelude::*;
 
@@ -18,5 +22,8 @@ fn _symspline(module: &Bound<'_, PyModule>) -> PyResult<()> {
     error::register(module)?;
     module.add_class::<space::Space>()?;
     module.add_class::<spline::Spline>()?;
-    Ok(())
+    module.add_class::<surface::Surface>()?;
+    module.add_class::<rational::Rational>()?;
+    module.add_class::<rational_surface::RationalSurface>()?;
+    tools::register(module)
 }

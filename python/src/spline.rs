@@ -26,9 +26,29 @@ impl Spline {
         Ok(Self(AnySpline::new(space, dim, coords)?))
     }
 
+    /// The coefficients.
+    #[getter]
+    fn coeffs(&self) -> Result<Array> {
+        let coords = self.0.coords()?;
+        let dim = self.0.dim();
+        let count = coords.len() / dim;
+        Ok(Array::new(if dim > 1 { vec![count, dim] } else { vec![count] }, coords))
+    }
+
+    /// The space.
+    #[getter]
+    fn space(&self) -> Space {
+        Space(self.0.space())
+    }
+
     /// The derivative.
     fn derivative(&self, py: Python<'_>) -> Result<Self> {
         Ok(Self(py.detach(|| self.0.derivative())?))
+    }
+
+    /// What makes it again, for pickling.
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, (Space, Array))> {
+        Ok((slf.get_type().into_any(), (slf.get().space(), slf.get().coeffs()?)))
     }
 
     fn __call__<'py>(&self, py: Python<'py>, x: crate::numbers::Num) -> PyResult<Bound<'py, PyAny>> {

@@ -1,5 +1,22 @@
 """Exact spline algebra, fine tuning and shape tools for curves and surfaces."""
 
-from ._symspline import Space, Spline, SymsplineError, __version__
+from . import analysis, deform, files, fine_tune, mesh, shape
+from ._symspline import Rational, RationalSurface, Space, Spline, Surface, SymsplineError, __version__
+from .mesh import Mesh
 
-__all__ = ["Space", "Spline", "SymsplineError", "__version__"]
+__all__ = [
+    "Mesh",
+    "Rational",
+    "RationalSurface",
+    "Space",
+    "Spline",
+    "Surface",
+    "SymsplineError",
+    "__version__",
+    "analysis",
+    "deform",
+    "files",
+    "fine_tune",
+    "mesh",
+    "shape",
+]
