@@ -33,6 +33,7 @@ pub mod linear;
 pub mod value;
 pub mod values;
 pub mod meeting;
+pub mod tools;
 
 pub use any::{Any, Family};
 pub use data::Spaced;

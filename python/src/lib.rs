@@ -25,6 +25,7 @@ mod approximate;
 mod range;
 mod data;
 mod scipy;
+mod tools;
 
 use pyo3::prelude::*;
 
@@ -38,5 +39,5 @@ fn _symspline(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<surface::Surface>()?;
     module.add_class::<rational::Rational>()?;
     module.add_class::<rational_surface::RationalSurface>()?;
-    Ok(())
+    tools::register(module)
 }

@@ -1,5 +1,6 @@
 """Exact spline algebra, fine tuning and shape tools for curves and surfaces."""
 
+from . import analysis, deform, files, fine_tune, mesh, shape
 from ._symspline import (
     Extremum,
     Rational,
@@ -10,9 +11,11 @@ from ._symspline import (
     SymsplineError,
     __version__,
 )
+from .mesh import Mesh
 
 __all__ = [
     "Extremum",
+    "Mesh",
     "Rational",
     "RationalSurface",
     "Space",
@@ -20,4 +23,10 @@ __all__ = [
     "Surface",
     "SymsplineError",
     "__version__",
+    "analysis",
+    "deform",
+    "files",
+    "fine_tune",
+    "mesh",
+    "shape",
 ]

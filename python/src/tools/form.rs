@@ -1,0 +1,381 @@
+//! Warps, flat parts and bends.
+
+use crate::error::{Failure, Result};
+use crate::numbers::{Array, Num};
+use crate::tools::values::{Point, Rounded as _, Thing, num, over, pair, record, word};
+use crate::tools::words::direction;
+use pyo3::prelude::*;
+use std::cell::RefCell;
+use symspline::{Bump, Direction, Side, bent_point};
+use symspline_dynamic::tools::bend::{self, About, AnyBend, Centre, Ratio};
+use symspline_dynamic::tools::flat::{self, AnyFlatten, AnyOnto, AnyPart};
+use symspline_dynamic::tools::shape::point;
+use symspline_dynamic::tools::warp::{self, AnyRegion, Assignment, Refine};
+use symspline_dynamic::{Coords, Field, Number, Over, Value};
+
+/// Knots to insert: an `int` says how many, any other number how long spans may be.
+#[derive(Debug)]
+struct Finer(Refine);
+
+impl<'py> FromPyObject<'_, 'py> for Finer {
+    type Error = PyErr;
+
+    fn extract(object: Borrowed<'_, 'py, PyAny>) -> PyResult<Self> {
+        match object.extract::<usize>() {
+            Ok(count) => Ok(Self(Refine::Count(count))),
+            Err(_) => Ok(Self(Refine::Spacing(object.extract::<Num>()?.0))),
+        }
+    }
+}
+
+fn is_exact(refine: &Option<Refine>) -> bool {
+    !matches!(refine, Some(Refine::Spacing(Over::Float(_))))
+}
+
+#[derive(Debug, FromPyObject)]
+enum FinerBoth {
+    Both(Option<Finer>, Option<Finer>),
+    One(Finer),
+}
+
+fn finer(refine: Option<FinerBoth>, both: bool) -> [Option<Refine>; 2] {
+    match refine {
+        None => [None, None],
+        Some(FinerBoth::Both(u, v)) => [u.map(|r| r.0), v.map(|r| r.0)],
+        Some(FinerBoth::One(one)) => {
+            let second = both.then(|| one.0.clone());
+            [Some(one.0), second]
+        }
+    }
+}
+
+record! {
+    /// A shape that was changed in a region.
+    Reshaped {
+        /// The shape.
+        shape: Thing,
+        /// Knots that were inserted: the direction, the knot.
+        inserted: Vec<(String, Thing)>,
+        /// How many control points were moved.
+        moved: usize,
+        /// Knots that were removed again.
+        removed: Vec<(String, Thing)>,
+        /// How far that took the shape at most.
+        bound: Thing,
+    }
+}
+
+/// The shape with control points of a region moved by a displacement.
+///
+/// `displacement(share, parameter)` is any callable: from the way through the region, from 0 to 1 (of surfaces a pair), and the
+/// parameter that is assigned to a control point, to the vector it moves by, or `None`. With `vector` it gives a number that
+/// multiplies this vector, as a `Bump` does. Its exceptions come out as they are. `refine` inserts knots first, so many if it is an
+/// `int`, else until spans are no longer; `thinned` removes knots afterwards up to a distance. Parameters are assigned by `shares`,
+/// "nodes", "chords" (over floats) or a list of shares (of surfaces two).
+#[pyfunction]
+#[pyo3(signature = (shape, start, end, displacement, *, vector=None, refine=None, thinned=None, shares=None))]
+#[allow(clippy::too_many_arguments, reason = "Python names them")]
+fn warped(
+    shape: Thing,
+    start: Point,
+    end: Point,
+    displacement: Bound<'_, PyAny>,
+    vector: Option<Point>,
+    refine: Option<FinerBoth>,
+    thinned: Option<Num>,
+    shares: Option<Bound<'_, PyAny>>,
+) -> PyResult<Reshaped> {
+    let refine = finer(refine, start.0.len() > 1);
+    let mut exact = start.0.is_exact() && end.0.is_exact() && refine.iter().all(is_exact);
+    exact &=
+        vector.as_ref().is_none_or(|v| v.0.is_exact()) && thinned.as_ref().is_none_or(|x| x.0.is_exact());
+    let assignment = match shares {
+        None => Assignment::Nodes,
+        Some(shares) => match shares.extract::<String>() {
+            Ok(name) => word("shares", &name, &[("nodes", false), ("chords", true)])
+                .map(|chords| if chords { Assignment::Chords } else { Assignment::Nodes })?,
+            Err(_) if start.0.len() == 1 => Assignment::Given(vec![shares.extract::<Array>()?.numbers]),
+            Err(_) => {
+                let all: Vec<Array> = shares.extract()?;
+                Assignment::Given(all.into_iter().map(|one| one.numbers).collect())
+            }
+        },
+    };
+    exact &= assignment != Assignment::Chords;
+    let shape = over(shape.0, exact)?;
+    let region = AnyRegion { from: start.0, to: end.0, refine, thinned: thinned.map(|x| x.0) };
+    let raised: RefCell<Option<PyErr>> = RefCell::new(None);
+    let moved = |share: &Coords, parameter: &Coords| {
+        let call = || -> PyResult<Option<Coords>> {
+            let found = displacement.call1((Point(share.clone()), Point(parameter.clone())))?;
+            if found.is_none() {
+                return Ok(None);
+            }
+            match &vector {
+                None => Ok(Some(found.extract::<Point>()?.0)),
+                Some(vector) => {
+                    let factor = found.extract::<Num>()?.0;
+                    let scaled = Value::from(vector.0.clone()).scaled(&factor).map_err(Failure::from)?;
+                    match scaled {
+                        Value::Point(by) => Ok(Some(by)),
+                        _ => Ok(None),
+                    }
+                }
+            }
+        };
+        call().map_err(|error| {
+            raised.replace(Some(error));
+            symspline_dynamic::Error::NoSuch {
+                operation: "displacement",
+                left: String::from("what a Python function refused"),
+                right: String::new(),
+            }
+        })
+    };
+    let found = warp::warped(&shape, &region, &assignment, &moved);
+    if let Some(error) = raised.into_inner() {
+        return Err(error);
+    }
+    let found = found.map_err(Failure::from)?;
+    let named = |knots: Vec<(Direction, Number)>| {
+        knots
+            .into_iter()
+            .map(|(d, x)| (String::from(if d == Direction::U { "u" } else { "v" }), num(x)))
+            .collect()
+    };
+    Ok(Reshaped {
+        shape: found.shape.into(),
+        inserted: named(found.inserted),
+        moved: found.moved,
+        removed: named(found.removed),
+        bound: num(found.bound),
+    })
+}
+
+/// The bump of a weight at `t`: it rises smoothly from 0 at 0 to 1 at 1/2 and falls to 0 at 1; the greater the weight, the steeper.
+/// With a pair for `t` it is the bump over the unit square.
+#[pyfunction]
+fn bump(weight: Num, t: Point) -> Result<Thing> {
+    fn of<T: Field>(weight: &Number, t: &Coords) -> Result<Thing> {
+        let bump = Bump::new(T::of(weight)?)?;
+        match &T::all_of(t)?[..] {
+            [t] => Ok(num(bump.at(t).number())),
+            [s, t] => Ok(num(bump.at_pair(&(s.clone(), t.clone())).number())),
+            _ => Err(Failure::new("Shape", "a bump is over one parameter or two")),
+        }
+    }
+    match weight.0.is_exact() && t.0.is_exact() {
+        true => of::<symspline::Q>(&weight.0, &t.0),
+        false => of::<f64>(&weight.0, &t.0),
+    }
+}
+
+/// A part of the parameters: `(start, end)` with numbers or pairs, `("polygon", corners)` or `("disc", centre, radius)`.
+fn part(object: &Bound<'_, PyAny>, exact: &mut bool) -> PyResult<AnyPart> {
+    if let Ok((word, corners)) = object.extract::<(String, Array)>() {
+        *exact &= corners.numbers.is_exact();
+        if word == "polygon" {
+            return Ok(AnyPart::Polygon(corners.numbers));
+        }
+    } else if let Ok((word, centre, radius)) = object.extract::<(String, Point, Num)>() {
+        *exact &= centre.0.is_exact() && radius.0.is_exact();
+        if word == "disc" {
+            return Ok(AnyPart::Disc(centre.0, radius.0));
+        }
+    } else if let Ok((from, to)) = object.extract::<(Point, Point)>() {
+        *exact &= from.0.is_exact() && to.0.is_exact();
+        return Ok(AnyPart::Between(from.0, to.0));
+    }
+    Err(Failure::new("Word", "a part is (start, end), (\"polygon\", corners) or (\"disc\", centre, radius)")
+        .into())
+}
+
+record! {
+    /// What flattening made.
+    Flattened {
+        /// The shape.
+        shape: Thing,
+        /// The control points that were projected, as places in the list.
+        projected: Vec<usize>,
+        /// The flat parts: of each from where to where along each direction.
+        flat: Vec<Vec<(Thing, Thing)>>,
+        /// Outside of this nothing changed; none if nothing changed at all.
+        changed: Option<Vec<(Thing, Thing)>>,
+    }
+}
+
+/// The shape with control points projected onto a line or plane, so that a part becomes straight or flat.
+///
+/// In the plane onto the line through `origin` in the direction `line`; in space onto the plane across `normal`, or the line `line`
+/// (within planes across `normal`). Points go at a right angle, or `along` a vector. Those projected are all, those without
+/// influence outside the part `local`, or those with influence in the part `whole`; on one `side` ("positive", "negative"), in
+/// front of planes, whose projections lie within `segments`, `polygons` or `balls`. `refine` inserts knots first, `until_flat` more
+/// and more up to so many control points.
+#[pyfunction]
+#[pyo3(signature = (shape, origin, *, line=None, normal=None, along=None, local=None, whole=None, side=None, in_front_of=Vec::new(),
+    segments=Vec::new(), polygons=Vec::new(), balls=Vec::new(), refine=None, until_flat=None))]
+#[allow(clippy::too_many_arguments, reason = "Python names them")]
+fn flattened(
+    py: Python<'_>,
+    shape: Thing,
+    origin: Point,
+    line: Option<Point>,
+    normal: Option<Point>,
+    along: Option<Point>,
+    local: Option<Bound<'_, PyAny>>,
+    whole: Option<Bound<'_, PyAny>>,
+    side: Option<&str>,
+    in_front_of: Vec<(Point, Point)>,
+    segments: Vec<(Point, Point)>,
+    polygons: Vec<Array>,
+    balls: Vec<(Point, Num)>,
+    refine: Option<Finer>,
+    until_flat: Option<usize>,
+) -> PyResult<Flattened> {
+    let mut exact = origin.0.is_exact();
+    for vector in [&line, &normal, &along].into_iter().flatten() {
+        exact &= vector.0.is_exact();
+    }
+    for (a, b) in in_front_of.iter().chain(&segments) {
+        exact &= a.0.is_exact() && b.0.is_exact();
+    }
+    exact &= polygons.iter().all(|p| p.numbers.is_exact());
+    exact &= balls.iter().all(|(c, r)| c.0.is_exact() && r.0.is_exact());
+    let refine = refine.map(|r| r.0);
+    exact &= is_exact(&refine);
+    let [local, whole] = [local, whole].map(|p| p.map(|p| part(&p, &mut exact)).transpose());
+    let sides = [("positive", Side::Positive), ("negative", Side::Negative)];
+    let pairs = |all: Vec<(Point, Point)>| all.into_iter().map(|(a, b)| (a.0, b.0)).collect();
+    let how = AnyFlatten {
+        onto: AnyOnto {
+            origin: origin.0,
+            line: line.map(|v| v.0),
+            normal: normal.map(|v| v.0),
+            along: along.map(|v| v.0),
+        },
+        local: local?,
+        whole: whole?,
+        side: side.map(|name| word("side", name, &sides)).transpose()?,
+        in_front_of: pairs(in_front_of),
+        segments: pairs(segments),
+        polygons: polygons.into_iter().map(|p| p.numbers).collect(),
+        balls: balls.into_iter().map(|(c, r)| (c.0, r.0)).collect(),
+        refine,
+        until_flat,
+    };
+    let shape = over(shape.0, exact)?;
+    let found = py.detach(|| flat::flattened(&shape, &how)).map_err(Failure::from)?;
+    let ends = |part: Vec<(Number, Number)>| part.into_iter().map(pair).collect();
+    Ok(Flattened {
+        shape: found.shape.into(),
+        projected: found.projected,
+        flat: found.flat.into_iter().map(ends).collect(),
+        changed: found.changed.map(ends),
+    })
+}
+
+/// The shape bent towards a centre, a point or with `axis` the line through it, about something.
+///
+/// About a circle, sphere or cylinder of `radius` around the centre, or around `about`; or with `normal` about the line or plane
+/// through `about`. `ratio` is the cross ratio, a number or a function of the parameters: 1 leaves shapes as they are at it, larger
+/// ones bend more. Between the knots of `interval` alone, what is outside being carried along unless `tails` is false; `refine`
+/// inserts knots first. Over fractions, where square roots may not be there, an error says so.
+#[pyfunction]
+#[pyo3(signature = (shape, centre, ratio, *, radius=None, about=None, normal=None, axis=None, direction="u", interval=None, refine=None,
+    tails=true))]
+#[allow(clippy::too_many_arguments, reason = "Python names them")]
+fn bent(
+    py: Python<'_>,
+    shape: Thing,
+    centre: Point,
+    ratio: Thing,
+    radius: Option<Num>,
+    about: Option<Point>,
+    normal: Option<Point>,
+    axis: Option<Point>,
+    direction: &str,
+    interval: Option<(Num, Num)>,
+    refine: Option<Finer>,
+    tails: bool,
+) -> Result<Thing> {
+    let refine = refine.map(|r| r.0);
+    let mut exact = centre.0.is_exact() && ratio.0.exact() && is_exact(&refine) && shape.0.exact();
+    for vector in [&about, &normal, &axis].into_iter().flatten() {
+        exact &= vector.0.is_exact();
+    }
+    exact &= radius.as_ref().is_none_or(|r| r.0.is_exact());
+    exact &= interval.as_ref().is_none_or(|(a, b)| a.0.is_exact() && b.0.is_exact());
+    let ratio = match over(ratio.0, exact)? {
+        Value::Number(x) => Ratio::Constant(x),
+        Value::Spline(f) => Ratio::Along(f),
+        Value::Surface(f) => Ratio::Over(f),
+        other => return Err(Failure::new("NoSuch", format!("{other} is no cross ratio"))),
+    };
+    let about = match (radius, about, normal) {
+        (Some(r), None, None) => About::Round(r.0),
+        (Some(r), Some(c), None) => About::Sphere(c.0, r.0),
+        (None, Some(p), Some(n)) => About::Flat(p.0, n.0),
+        _ => {
+            return Err(Failure::new(
+                "Word",
+                "a bend is about a radius, about a centre with a radius, or about a point with a normal",
+            ));
+        }
+    };
+    let how = AnyBend {
+        centre: Centre { point: centre.0, axis: axis.map(|v| v.0) },
+        about,
+        ratio,
+        direction: self::direction(direction)?,
+        interval: interval.map(|(a, b)| (a.0, b.0)),
+        refine,
+        tails,
+    };
+    let shape = over(shape.0, exact)?;
+    Ok(py.detach(|| bend::bent(&shape, &how))?.into())
+}
+
+/// The bent point of `p`: from the centre `o`, the share `s` of the way at which the bend curve is, and the cross ratio; none at a
+/// pole.
+#[pyfunction]
+#[pyo3(name = "bent_point")]
+fn bent_point_of(o: Point, p: Point, s: Num, ratio: Num) -> Result<Option<Point>> {
+    fn of<T: Field, const N: usize>(
+        o: &Coords,
+        p: &Coords,
+        s: &Number,
+        ratio: &Number,
+    ) -> Result<Option<Point>> {
+        let vector = |c: &Coords| point::<T, nalgebra::SVector<T, N>>(c);
+        let bent = bent_point(&vector(o)?, &vector(p)?, &T::of(s)?, &T::of(ratio)?);
+        Ok(bent.map(|p| Point(T::coords(p.iter().cloned().collect()))))
+    }
+    let exact = o.0.is_exact() && p.0.is_exact() && s.0.is_exact() && ratio.0.is_exact();
+    match (o.0.len(), exact) {
+        (2, true) => of::<symspline::Q, 2>(&o.0, &p.0, &s.0, &ratio.0),
+        (2, false) => of::<f64, 2>(&o.0, &p.0, &s.0, &ratio.0),
+        (3, true) => of::<symspline::Q, 3>(&o.0, &p.0, &s.0, &ratio.0),
+        (3, false) => of::<f64, 3>(&o.0, &p.0, &s.0, &ratio.0),
+        (n, _) => Err(symspline_dynamic::Error::Dimension { found: n, least: 2 }.into()),
+    }
+}
+
+/// Points, of shape `(n, d)`, carried along by a rotation and a move: the direction from `before` to `pivot` becomes that from `after` to
+/// `place`, and the pivot goes to the place.
+#[pyfunction]
+fn carried(points: Array, before: Point, pivot: Point, after: Point, place: Point) -> Result<Array> {
+    let found = bend::carried(&points.numbers, [&before.0, &pivot.0, &after.0, &place.0])?;
+    Ok(Array::new(points.shape, found))
+}
+
+/// Adds the functions and classes to the module.
+pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add_class::<Reshaped>()?;
+    module.add_class::<Flattened>()?;
+    module.add_function(wrap_pyfunction!(warped, module)?)?;
+    module.add_function(wrap_pyfunction!(bump, module)?)?;
+    module.add_function(wrap_pyfunction!(carried, module)?)?;
+    module.add_function(wrap_pyfunction!(flattened, module)?)?;
+    module.add_function(wrap_pyfunction!(bent, module)?)?;
+    module.add_function(wrap_pyfunction!(bent_point_of, module)?)
+}

@@ -1,0 +1,171 @@
+//! Weights moved.
+
+use crate::error::Result;
+use crate::numbers::Num;
+use crate::tools::shape::alike;
+use crate::tools::values::{Name, Point, Rounded as _, Thing, num, over, pair, zero};
+use pyo3::prelude::*;
+use symspline_dynamic::Number;
+use symspline_dynamic::tools::weights::{self, PairPuller, Puller};
+
+/// Ends of a range of weights.
+type Ends = Option<(Num, Num)>;
+
+fn ends(within: Ends) -> (Option<(Number, Number)>, bool) {
+    let exact = within.as_ref().is_none_or(|(a, b)| a.0.is_exact() && b.0.is_exact());
+    (within.map(|(a, b)| (a.0, b.0)), exact)
+}
+
+/// The pull of a point of a rational shape toward a control point by its weight, prepared. `within` is a range of weights. Numbers
+/// are taken into the field of the shape.
+#[pyclass(frozen, module = "symspline")]
+#[derive(Debug)]
+pub struct WeightPull(Box<dyn Puller>, bool);
+
+#[pymethods]
+impl WeightPull {
+    #[new]
+    #[pyo3(signature = (shape, at, index, *, within=None))]
+    fn new(shape: Thing, at: Point, index: Name, within: Ends) -> Result<Self> {
+        let (within, exact) = ends(within);
+        let shape = over(shape.0, exact && at.0.is_exact())?;
+        Ok(Self(weights::pull(&shape, &at.0, &index.0, within.as_ref())?, shape.exact()))
+    }
+
+    /// The weight as it was.
+    #[getter]
+    fn weight(&self) -> Thing {
+        num(self.0.weight_and_share().0)
+    }
+
+    /// The share of the control point in the point, as it was.
+    #[getter]
+    fn share(&self) -> Thing {
+        num(self.0.weight_and_share().1)
+    }
+
+    /// The point as it was.
+    #[getter]
+    fn point(&self) -> Point {
+        Point(self.0.points().0)
+    }
+
+    /// The control point.
+    #[getter]
+    fn control_point(&self) -> Point {
+        Point(self.0.points().1)
+    }
+
+    /// The least and the largest fraction of the way to the control point.
+    #[getter]
+    fn limits(&self) -> (Option<Thing>, Option<Thing>) {
+        let (push, pull) = self.0.limits();
+        (push.map(num), pull.map(num))
+    }
+
+    /// The weight that takes the point a fraction of the way.
+    fn weight_for(&self, fraction: Num) -> Result<Thing> {
+        Ok(num(self.0.weight_for(&fraction.0)?))
+    }
+
+    /// The fraction of the way that a weight takes the point.
+    fn fraction_for(&self, weight: Num) -> Result<Thing> {
+        Ok(num(self.0.fraction_for(&weight.0)?))
+    }
+
+    /// The fraction at which the point is nearest to a target.
+    fn fraction_near(&self, target: Point) -> Result<Thing> {
+        Ok(num(self.0.fraction_near(&target.0)?))
+    }
+
+    /// The shape with its point a fraction of the way from where it was.
+    fn applied(&self, shape: Thing, fraction: Num) -> Result<Thing> {
+        Ok(self.0.applied(&alike(shape.0, self.1)?, &fraction.0)?.into())
+    }
+}
+
+/// The moves of a point of a rational shape by the weights of two control points, prepared.
+#[pyclass(frozen, module = "symspline")]
+#[derive(Debug)]
+pub struct WeightPairPull(Box<dyn PairPuller>, bool);
+
+#[pymethods]
+impl WeightPairPull {
+    #[new]
+    #[pyo3(signature = (shape, at, first, second, *, within=None))]
+    fn new(shape: Thing, at: Point, first: Name, second: Name, within: Ends) -> Result<Self> {
+        let (within, exact) = ends(within);
+        let shape = over(shape.0, exact && at.0.is_exact())?;
+        let found = weights::pair_pull(&shape, &at.0, [&first.0, &second.0], within.as_ref())?;
+        Ok(Self(found, shape.exact()))
+    }
+
+    /// The weights as they were.
+    #[getter]
+    fn weights(&self) -> (Thing, Thing) {
+        let [[a, b], _] = self.0.weights_and_shares();
+        pair((a, b))
+    }
+
+    /// The shares of the control points in the point, as they were.
+    #[getter]
+    fn shares(&self) -> (Thing, Thing) {
+        let [_, [a, b]] = self.0.weights_and_shares();
+        pair((a, b))
+    }
+
+    /// The point where both weights are zero.
+    #[getter]
+    fn base(&self) -> Point {
+        let [_, base, _] = self.0.points();
+        Point(base)
+    }
+
+    /// The barycentric coordinates of a target at the two control points.
+    #[pyo3(signature = (target, tolerance=zero()))]
+    fn coordinates(&self, target: Point, tolerance: Num) -> Result<(Thing, Thing)> {
+        let [a, b] = self.0.coordinates(&target.0, &tolerance.0)?;
+        Ok(pair((a, b)))
+    }
+
+    /// The weights that move the point to a target inside the triangle of the base and the control points.
+    #[pyo3(signature = (target, tolerance=zero()))]
+    fn weights_for(&self, target: Point, tolerance: Num) -> Result<(Thing, Thing)> {
+        let [a, b] = self.0.weights_for(&target.0, &tolerance.0)?;
+        Ok(pair((a, b)))
+    }
+
+    /// The shape with its point at a target.
+    #[pyo3(signature = (shape, target, tolerance=zero()))]
+    fn moved_to(&self, shape: Thing, target: Point, tolerance: Num) -> Result<Thing> {
+        Ok(self.0.moved_to(&alike(shape.0, self.1)?, &target.0, &tolerance.0)?.into())
+    }
+
+    /// The shape with its point a fraction of the way to the leg, along the line from the base.
+    fn moved_along(&self, shape: Thing, fraction: Num) -> Result<Thing> {
+        Ok(self.0.moved_along(&alike(shape.0, self.1)?, &fraction.0)?.into())
+    }
+}
+
+/// The derivatives of the point at `at` by the weight of a control point, of order 0 to `order`: one row each.
+#[pyfunction]
+fn weight_derivatives(shape: Thing, at: Point, index: Name, order: usize) -> Result<Vec<Point>> {
+    let shape = over(shape.0, at.0.is_exact())?;
+    Ok(weights::derivatives(&shape, &at.0, &index.0, order)?.into_iter().map(Point).collect())
+}
+
+/// The rational shape with other weights, pairs of an index and a weight; control points stay.
+#[pyfunction]
+fn with_weights(shape: Thing, weights: Vec<(Name, Num)>) -> Result<Thing> {
+    let shape = over(shape.0, weights.iter().all(|(_, w)| w.0.is_exact()))?;
+    let weights: Vec<_> = weights.into_iter().map(|(name, w)| (name.0, w.0)).collect();
+    Ok(weights::set(&shape, &weights)?.into())
+}
+
+/// Adds the functions and classes to the module.
+pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add_class::<WeightPull>()?;
+    module.add_class::<WeightPairPull>()?;
+    module.add_function(wrap_pyfunction!(weight_derivatives, module)?)?;
+    module.add_function(wrap_pyfunction!(with_weights, module)?)
+}

@@ -1,0 +1,17 @@
+"""Curves and surfaces as elastic bodies: materials, forces, constraints at least energy, a sculptor."""
+
+from ._symspline import (
+    Anchored,
+    Elastic,
+    Material,
+    Pull,
+    Sculptor,
+)
+
+__all__ = [
+    "Anchored",
+    "Elastic",
+    "Material",
+    "Pull",
+    "Sculptor",
+]

@@ -1,0 +1,17 @@
+"""Reading and writing files of splines and meshes."""
+
+from ._symspline import (
+    dumps,
+    formats,
+    loads,
+    read,
+    write,
+)
+
+__all__ = [
+    "dumps",
+    "formats",
+    "loads",
+    "read",
+    "write",
+]
