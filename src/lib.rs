@@ -30,7 +30,7 @@
 //! - shape tools: control points, weights, warps, bends, constraints: [`shape`];
 //! - deformable splines: materials, forces, constraints at least energy: [`deform`];
 //! - subdivision curves and surfaces: [`mesh`]; OBJ files of meshes: [`io::obj`];
-//! - pictures: the module `plot`, behind the feature of that name.
+//! - pictures: the module `plot`, behind the feature of that name; of it surfaces as faces and glTF behind the feature `solid`.
 
 // The modules from the ground up: a module uses only what stands above it (tests/floors.rs).
 pub mod error;
@@ -72,7 +72,7 @@ pub mod fine_tune;
 pub mod shape;
 pub mod deform;
 pub mod io;
-#[cfg(feature = "plot")]
+#[cfg(feature = "solid")]
 pub mod plot;
 
 pub use analysis::analyse::Analyse;
