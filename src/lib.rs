@@ -40,7 +40,7 @@ pub mod fine_tune;
 pub mod shape;
 pub mod deform;
 pub mod io;
-#[cfg(feature = "plot")]
+#[cfg(feature = "solid")]
 pub mod plot;
 
 pub use analysis::analyse::Analyse;

@@ -76,6 +76,9 @@ pub enum Problem {
         /// "read" or "written".
         verb: &'static str,
     },
+    /// A font holds letters, not curves: a text must say which.
+    #[error("a font holds letters, not curves: a text must tell which (`font::outlines`, `--text`)")]
+    NoText,
     /// The text is not of the format: what was met or expected.
     #[error("{0}")]
     Syntax(String),

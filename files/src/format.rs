@@ -9,20 +9,44 @@ use std::path::Path;
 pub enum Format {
     /// The form of this library: JSON, without loss, exact numbers as fractions.
     Json,
+    /// The JSON of geomdl (NURBS-Python).
+    Geomdl,
+    /// SVG drawings.
+    Svg,
+    /// Fonts, whose letters [`font::outlines`](crate::font::outlines) gives.
+    Font,
+    /// Free-form Wavefront OBJ.
+    Obj,
+    /// PLY, faces only.
+    Ply,
+    /// STL, triangles only.
+    Stl,
+    /// glTF binary, triangles only.
+    Gltf,
 }
 
 /// Each format: what it is called, the endings of names, whether it is read, whether it is written.
-const TABLE: [(Format, &str, &[&str], bool, bool); 1] = [(Format::Json, "JSON", &["json"], true, true)];
+const TABLE: [(Format, &str, &[&str], bool, bool); 8] = [
+    (Format::Json, "JSON", &["json"], true, true),
+    (Format::Geomdl, "geomdl JSON", &["geomdl.json", "geomdl"], true, true),
+    (Format::Svg, "SVG", &["svg"], true, true),
+    (Format::Font, "font", &["ttf", "otf"], true, false),
+    (Format::Obj, "OBJ", &["obj"], true, true),
+    (Format::Ply, "PLY", &["ply"], false, true),
+    (Format::Stl, "STL", &["stl"], false, true),
+    (Format::Gltf, "glTF", &["glb"], false, true),
+];
 
 impl Format {
-    /// The format that the ending of a file's name tells, in upper or lower case.
+    /// The format that the ending of a file's name tells, in upper or lower case: the longest ending that fits.
     ///
     /// # Errors
     /// [`Problem::UnknownFormat`].
     pub fn of(path: &Path) -> Result<Self> {
-        let ending =
-            path.extension().map(|ending| ending.to_string_lossy().to_lowercase()).unwrap_or_default();
-        Self::by_name(&ending)
+        let name = path.file_name().map(|name| name.to_string_lossy().to_lowercase()).unwrap_or_default();
+        let fits = |ending: &&&str| name.strip_suffix(**ending).is_some_and(|stem| stem.ends_with('.'));
+        let longest = TABLE.iter().flat_map(|row| row.2).filter(fits).max_by_key(|ending| ending.len());
+        Self::by_name(longest.copied().unwrap_or_default())
     }
 
     /// The format with this ending.

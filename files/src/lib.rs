@@ -11,7 +11,15 @@
 pub mod error;
 pub mod entry;
 pub mod format;
+mod projected;
 pub mod json;
+mod rounded;
+pub mod geomdl;
+pub mod obj;
+mod outline;
+pub mod svg;
+pub mod font;
+pub mod shaded;
 pub mod run;
 
 pub use entry::Entry;

@@ -1,9 +1,9 @@
 //! Reading and writing by format.
 
 use crate::entry::Entry;
-use crate::error::{Problem, Result};
+use crate::error::{FileError, Problem, Result};
 use crate::format::Format;
-use crate::json;
+use crate::{geomdl, json, obj, shaded, svg};
 use std::fs::{self, File};
 use std::io::Read as _;
 use std::path::Path;
@@ -15,7 +15,7 @@ pub const MAX_BYTES: u64 = 1 << 30;
 ///
 /// # Errors
 /// With the name of the file and the place in it: [`Problem::Io`], [`Problem::TooLarge`] beyond [`MAX_BYTES`],
-/// [`Problem::UnknownFormat`], and those of [`from_bytes`].
+/// [`Problem::UnknownFormat`], and those of [`from_bytes`]. A file `.json` may hold the library's own form or that of geomdl.
 pub fn read(path: &Path) -> Result<Vec<Entry>> {
     let name = path.display().to_string();
     let read = || {
@@ -28,7 +28,12 @@ pub fn read(path: &Path) -> Result<Vec<Entry>> {
         if bytes.len() as u64 > MAX_BYTES {
             return Err(Problem::TooLarge { limit: MAX_BYTES }.of_file());
         }
-        from_bytes(&bytes, format)
+        let read = from_bytes(&bytes, format);
+        // Two formats end in `.json`: what is in the file tells them apart.
+        match read {
+            Err(_) if format == Format::Json && geomdl::is_meant(&bytes) => geomdl::from_bytes(&bytes),
+            read => read,
+        }
     };
     read().map_err(|error| error.named(&name))
 }
@@ -36,10 +41,15 @@ pub fn read(path: &Path) -> Result<Vec<Entry>> {
 /// What the bytes of a file hold.
 ///
 /// # Errors
-/// With the place: [`Problem::OneWay`] for formats that are only written, [`Problem::Syntax`], [`Problem::Value`].
+/// With the place: [`Problem::OneWay`] for formats that are only written, [`Problem::NoText`] for fonts, [`Problem::Syntax`], [`Problem::Value`].
 pub fn from_bytes(bytes: &[u8], format: Format) -> Result<Vec<Entry>> {
     match format {
         Format::Json => json::from_bytes(bytes),
+        Format::Geomdl => geomdl::from_bytes(bytes),
+        Format::Svg => svg::from_bytes(bytes),
+        Format::Font => Err(Problem::NoText.of_file()),
+        Format::Obj => obj::from_bytes(bytes),
+        Format::Ply | Format::Stl | Format::Gltf => Err(one_way(format, "read")),
     }
 }
 
@@ -50,6 +60,13 @@ pub fn from_bytes(bytes: &[u8], format: Format) -> Result<Vec<Entry>> {
 pub fn to_bytes(entries: &[Entry], format: Format) -> Result<Vec<u8>> {
     match format {
         Format::Json => json::to_bytes(entries),
+        Format::Geomdl => geomdl::to_bytes(entries),
+        Format::Svg => svg::to_bytes(entries),
+        Format::Font => Err(one_way(format, "written")),
+        Format::Obj => obj::to_bytes(entries),
+        Format::Ply => shaded::ply(entries),
+        Format::Stl => shaded::stl(entries),
+        Format::Gltf => shaded::gltf(entries),
     }
 }
 
@@ -64,4 +81,8 @@ pub fn write(path: &Path, entries: &[Entry]) -> Result<()> {
         fs::write(path, bytes).map_err(|error| Problem::Io(error.to_string()).of_file())
     };
     write().map_err(|error| error.named(&name))
+}
+
+fn one_way(format: Format, verb: &'static str) -> FileError {
+    Problem::OneWay { format: format.name(), verb }.of_file()
 }

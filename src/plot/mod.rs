@@ -28,29 +28,46 @@
 //! # Ok::<(), symspline::error::Error>(())
 //! ```
 
+#[cfg(feature = "plot")]
 mod trace;
 mod style;
+#[cfg(feature = "plot")]
 mod svg;
+#[cfg(feature = "plot")]
 mod text;
+#[cfg(feature = "plot")]
 mod axis;
 pub mod solid;
+#[cfg(feature = "plot")]
 mod gallery;
+#[cfg(feature = "plot")]
 mod series;
+#[cfg(feature = "plot")]
 mod panel;
+#[cfg(feature = "plot")]
 mod scale;
+#[cfg(feature = "plot")]
 mod header;
+#[cfg(feature = "plot")]
 mod layout;
+#[cfg(feature = "plot")]
 mod draw;
+#[cfg(feature = "plot")]
 mod png;
+#[cfg(feature = "plot")]
 mod profile;
+#[cfg(feature = "plot")]
 mod figure;
 
+#[cfg(feature = "plot")]
 pub use figure::Figure;
+#[cfg(feature = "plot")]
 pub use kurbo::{BezPath, Point};
+#[cfg(feature = "plot")]
 pub use panel::Panel;
-pub use solid::{
-    ColorMap, ColorScale, Image, Mesh, Meshed, Paint, Scene, View, control_net, edge_lines, glb, knot_lines,
-    write_glb,
-};
+pub use solid::{ColorMap, ColorScale, Mesh, Meshed, Paint, edge_lines, glb, write_glb};
+#[cfg(feature = "plot")]
+pub use solid::{Image, Scene, View, control_net, knot_lines};
 pub use style::{Color, Dash, Marker, Style};
+#[cfg(feature = "plot")]
 pub use trace::{curve_path, graph_path};

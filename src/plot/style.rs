@@ -51,6 +51,7 @@ impl Color {
     }
 
     /// The colour as SVG writes it.
+    #[cfg(feature = "plot")]
     pub(super) fn hex(self) -> String {
         format!("#{:02x}{:02x}{:02x}", self.red, self.green, self.blue)
     }
@@ -72,6 +73,7 @@ pub enum Dash {
 
 impl Dash {
     /// Lengths of strokes and gaps, in units of the line width.
+    #[cfg(feature = "plot")]
     pub(super) const fn pattern(self) -> &'static [f64] {
         match self {
             Self::Solid => &[],

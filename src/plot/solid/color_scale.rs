@@ -104,6 +104,7 @@ impl ColorScale {
     }
 
     /// Whether values lie below and above the limits, by more than rounding.
+    #[cfg(feature = "plot")]
     pub(in crate::plot) fn clips(&self) -> (bool, bool) {
         let slack = 1e-9 * (self.limits.1 - self.limits.0);
         (self.extent.0 < self.limits.0 - slack, self.extent.1 > self.limits.1 + slack)

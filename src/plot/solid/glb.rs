@@ -9,7 +9,7 @@ use crate::io::file::write;
 use crate::plot::solid::Point3;
 use crate::plot::solid::color_map::linear;
 use crate::plot::solid::mesh::Mesh;
-use crate::plot::solid::scene::{GREY, Paint};
+use crate::plot::solid::paint::{GREY, Paint};
 use std::path::Path;
 
 /// Types of numbers by their names in the format.

@@ -29,16 +29,23 @@
 //! # Ok::<(), symspline::Error>(())
 //! ```
 
+#[cfg(feature = "plot")]
 mod image;
 mod normals;
 mod mesh;
 mod sample;
+#[cfg(feature = "plot")]
 mod lines;
 mod color_map;
 mod color_scale;
+mod paint;
+#[cfg(feature = "plot")]
 mod view;
+#[cfg(feature = "plot")]
 mod raster;
+#[cfg(feature = "plot")]
 mod light;
+#[cfg(feature = "plot")]
 mod scene;
 mod control;
 mod glb;
@@ -47,11 +54,16 @@ pub use color_map::ColorMap;
 pub use color_scale::ColorScale;
 pub use control::edge_lines;
 pub use glb::{glb, write_glb};
+#[cfg(feature = "plot")]
 pub use image::Image;
+#[cfg(feature = "plot")]
 pub use lines::{control_net, knot_lines};
 pub use mesh::Mesh;
+pub use paint::Paint;
 pub use sample::Meshed;
-pub use scene::{Paint, Scene};
+#[cfg(feature = "plot")]
+pub use scene::Scene;
+#[cfg(feature = "plot")]
 pub use view::View;
 
 /// A point in space.

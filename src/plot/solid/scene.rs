@@ -3,10 +3,10 @@
 use crate::error::{Error, Result};
 use crate::plot::solid::Point3;
 use crate::plot::solid::color_map::linear;
-use crate::plot::solid::color_scale::ColorScale;
 use crate::plot::solid::image::{Image, check_size};
 use crate::plot::solid::light::Light;
 use crate::plot::solid::mesh::Mesh;
+use crate::plot::solid::paint::{GREY, Paint};
 use crate::plot::solid::raster::Raster;
 use crate::plot::solid::view::{Projection, View};
 use crate::plot::style::Color;
@@ -15,33 +15,10 @@ use crate::plot::style::Color;
 const LARGEST: usize = 1 << 24;
 /// So many pixels are drawn at a time, since each takes much more memory while it is.
 const BAND: usize = 1 << 20;
-/// The colour of vertices without a value.
-pub(super) const GREY: Color = Color::new(165, 165, 165);
 /// By how much of the longer side of the picture lines are lifted towards the eye, to lie on surfaces and not in them.
 const LIFT: f64 = 2e-3;
 /// Colours are looked up in this many steps.
 const STEPS: usize = 1024;
-
-/// Where a mesh has its colours from: one colour, or its values. Vertices without values are grey.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Paint {
-    /// One colour for all.
-    Plain(Color),
-    /// The colours of the values.
-    Values(ColorScale),
-}
-
-impl From<Color> for Paint {
-    fn from(color: Color) -> Self {
-        Self::Plain(color)
-    }
-}
-
-impl From<&ColorScale> for Paint {
-    fn from(scale: &ColorScale) -> Self {
-        Self::Values(scale.clone())
-    }
-}
 
 /// Meshes and lines to be looked at. See the [module](crate::plot::solid) for an example.
 #[derive(Clone, Debug, Default)]
@@ -66,7 +43,7 @@ impl<'a> Scene<'a> {
         Self::default()
     }
 
-    /// Adds a mesh: painted in a [`Color`], or by the values of its vertices in a `&`[`ColorScale`].
+    /// Adds a mesh: painted in a [`Color`], or by the values of its vertices in a `&`[`ColorScale`](crate::plot::ColorScale).
     pub fn mesh(mut self, mesh: &'a Mesh, paint: impl Into<Paint>) -> Self {
         self.meshes.push((mesh, paint.into()));
         self
@@ -204,6 +181,7 @@ fn mixed(values: [Option<f64>; 3], weights: [f64; 3]) -> Option<f64> {
 mod tests {
     use super::*;
     use crate::plot::solid::color_map::ColorMap;
+    use crate::plot::solid::color_scale::ColorScale;
     use nalgebra::vector;
 
     fn square(z: f64) -> Mesh {
