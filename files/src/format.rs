@@ -9,10 +9,21 @@ use std::path::Path;
 pub enum Format {
     /// The form of this library: JSON, without loss, exact numbers as fractions.
     Json,
+    /// DXF drawings: curves as SPLINE entities.
+    Dxf,
+    /// STEP, the exchange structure of ISO 10303-21: curves and surfaces.
+    Step,
+    /// IGES 5.3, entities 126 and 128: curves and surfaces.
+    Iges,
 }
 
 /// Each format: what it is called, the endings of names, whether it is read, whether it is written.
-const TABLE: [(Format, &str, &[&str], bool, bool); 1] = [(Format::Json, "JSON", &["json"], true, true)];
+const TABLE: [(Format, &str, &[&str], bool, bool); 4] = [
+    (Format::Json, "JSON", &["json"], true, true),
+    (Format::Dxf, "DXF", &["dxf"], true, true),
+    (Format::Step, "STEP", &["step", "stp", "p21"], true, true),
+    (Format::Iges, "IGES", &["iges", "igs"], true, true),
+];
 
 impl Format {
     /// The format that the ending of a file's name tells, in upper or lower case.

@@ -16,8 +16,7 @@ use serde::{Deserialize, Serialize, Serializer};
 use std::fmt;
 use symspline::{ControlMesh, Q, Scalar, SplineSpace};
 use symspline_dynamic::{
-    AnyMesh, AnyRational, AnyRationalSurface, AnySpace, AnySpline, AnySurface, Coords, Field, Number, Over,
-    Value, both,
+    AnyMesh, AnyRational, AnyRationalSurface, AnySpace, AnySpline, AnySurface, Coords, Field, Value, both,
 };
 
 /// The version that is written; older ones are read.
@@ -346,6 +345,7 @@ pub fn to_bytes(entries: &[Entry]) -> Result<Vec<u8>> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use symspline_dynamic::{Number, Over};
 
     #[test]
     fn a_periodic_curve_comes_back() {

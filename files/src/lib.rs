@@ -12,6 +12,10 @@ pub mod error;
 pub mod entry;
 pub mod format;
 pub mod json;
+mod nurbs;
+pub mod dxf;
+pub mod step;
+pub mod iges;
 pub mod run;
 
 pub use entry::Entry;

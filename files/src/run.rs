@@ -3,7 +3,7 @@
 use crate::entry::Entry;
 use crate::error::{Problem, Result};
 use crate::format::Format;
-use crate::json;
+use crate::{dxf, iges, json, step};
 use std::fs::{self, File};
 use std::io::Read as _;
 use std::path::Path;
@@ -40,6 +40,9 @@ pub fn read(path: &Path) -> Result<Vec<Entry>> {
 pub fn from_bytes(bytes: &[u8], format: Format) -> Result<Vec<Entry>> {
     match format {
         Format::Json => json::from_bytes(bytes),
+        Format::Dxf => dxf::from_bytes(bytes),
+        Format::Step => step::from_bytes(bytes),
+        Format::Iges => iges::from_bytes(bytes),
     }
 }
 
@@ -50,6 +53,9 @@ pub fn from_bytes(bytes: &[u8], format: Format) -> Result<Vec<Entry>> {
 pub fn to_bytes(entries: &[Entry], format: Format) -> Result<Vec<u8>> {
     match format {
         Format::Json => json::to_bytes(entries),
+        Format::Dxf => dxf::to_bytes(entries),
+        Format::Step => step::to_bytes(entries),
+        Format::Iges => iges::to_bytes(entries),
     }
 }
 
