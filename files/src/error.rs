@@ -14,7 +14,7 @@ pub struct FileError {
     /// The place in it.
     pub place: Place,
     /// What is wrong.
-    pub problem: Problem,
+    pub problem: Box<Problem>,
 }
 
 /// A place in a file.
@@ -98,7 +98,7 @@ pub enum Problem {
 impl Problem {
     /// This problem at a place, in a file that is not named yet.
     pub fn at(self, place: Place) -> FileError {
-        FileError { file: String::new(), place, problem: self }
+        FileError { file: String::new(), place, problem: Box::new(self) }
     }
 
     /// This problem in a line.

@@ -23,10 +23,16 @@ pub enum Format {
     Stl,
     /// glTF binary, triangles only.
     Gltf,
+    /// DXF drawings: curves as SPLINE entities.
+    Dxf,
+    /// STEP, the exchange structure of ISO 10303-21: curves and surfaces.
+    Step,
+    /// IGES 5.3, entities 126 and 128: curves and surfaces.
+    Iges,
 }
 
 /// Each format: what it is called, the endings of names, whether it is read, whether it is written.
-const TABLE: [(Format, &str, &[&str], bool, bool); 8] = [
+const TABLE: [(Format, &str, &[&str], bool, bool); 11] = [
     (Format::Json, "JSON", &["json"], true, true),
     (Format::Geomdl, "geomdl JSON", &["geomdl.json", "geomdl"], true, true),
     (Format::Svg, "SVG", &["svg"], true, true),
@@ -35,6 +41,9 @@ const TABLE: [(Format, &str, &[&str], bool, bool); 8] = [
     (Format::Ply, "PLY", &["ply"], false, true),
     (Format::Stl, "STL", &["stl"], false, true),
     (Format::Gltf, "glTF", &["glb"], false, true),
+    (Format::Dxf, "DXF", &["dxf"], true, true),
+    (Format::Step, "STEP", &["step", "stp", "p21"], true, true),
+    (Format::Iges, "IGES", &["iges", "igs"], true, true),
 ];
 
 impl Format {

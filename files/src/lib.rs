@@ -20,6 +20,10 @@ mod outline;
 pub mod svg;
 pub mod font;
 pub mod shaded;
+mod nurbs;
+pub mod dxf;
+pub mod step;
+pub mod iges;
 pub mod run;
 
 pub use entry::Entry;

@@ -3,7 +3,7 @@
 use crate::entry::Entry;
 use crate::error::{FileError, Problem, Result};
 use crate::format::Format;
-use crate::{geomdl, json, obj, shaded, svg};
+use crate::{dxf, geomdl, iges, json, obj, shaded, step, svg};
 use std::fs::{self, File};
 use std::io::Read as _;
 use std::path::Path;
@@ -50,6 +50,9 @@ pub fn from_bytes(bytes: &[u8], format: Format) -> Result<Vec<Entry>> {
         Format::Font => Err(Problem::NoText.of_file()),
         Format::Obj => obj::from_bytes(bytes),
         Format::Ply | Format::Stl | Format::Gltf => Err(one_way(format, "read")),
+        Format::Dxf => dxf::from_bytes(bytes),
+        Format::Step => step::from_bytes(bytes),
+        Format::Iges => iges::from_bytes(bytes),
     }
 }
 
@@ -67,6 +70,9 @@ pub fn to_bytes(entries: &[Entry], format: Format) -> Result<Vec<u8>> {
         Format::Ply => shaded::ply(entries),
         Format::Stl => shaded::stl(entries),
         Format::Gltf => shaded::gltf(entries),
+        Format::Dxf => dxf::to_bytes(entries),
+        Format::Step => step::to_bytes(entries),
+        Format::Iges => iges::to_bytes(entries),
     }
 }
 

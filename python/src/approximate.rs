@@ -73,7 +73,7 @@ impl Spline {
     fn removed(&self, py: Python<'_>, knot: Num, times: usize, tolerance: Num) -> Result<(Self, Num)> {
         let (s, knot) = (&self.0, &knot.0);
         together!(s, knot);
-        near!(py, Self, &*s, T, s => s.removed(&T::of(&knot)?, 0 * times, &T::of(&tolerance.0)?))
+        near!(py, Self, &*s, T, s => s.removed(&T::of(&knot)?, times, &T::of(&tolerance.0)?))
     }
 
     /// The spline with as few knots as a tolerance allows, and a bound of the distance.

@@ -20,7 +20,7 @@ fn binary(
 ) -> Result<Operand> {
     let (s, t) = (&left, &right);
     together!(s, t);
-    let _ = py; Ok(Operand(operation(&s, &t)?))
+    py.detach(|| Ok(Operand(operation(&s, &t)?)))
 }
 
 /// The images of values under a matrix of shape `(rows, dim)`.
@@ -92,7 +92,7 @@ macro_rules! arithmetic {
             }
 
             fn __rsub__(&self, py: Python<'_>, other: Operand) -> Result<Operand> {
-                binary(py, self.0.clone().into(), other.0, Value::difference)
+                binary(py, other.0, self.0.clone().into(), Value::difference)
             }
 
             fn __mul__(&self, py: Python<'_>, other: Operand) -> Result<Operand> {

@@ -78,7 +78,7 @@ fn dynamic_data(error: &symspline_dynamic::Error) -> Json {
     use symspline_dynamic::Error::{Dimension, Dimensions, Fields, NoSuch, NotANumber, Torn};
     match error {
         Fields { left, right } => json!({ "left": left, "right": right }),
-        Dimensions { left, right } => json!({ "left": right, "right": left }),
+        Dimensions { left, right } => json!({ "left": left, "right": right }),
         Dimension { found, least } => json!({ "found": found, "least": least }),
         Torn { count, dim } => json!({ "count": count, "dim": dim }),
         NoSuch { operation, left, right } => json!({ "operation": operation, "left": left, "right": right }),

@@ -32,7 +32,7 @@ fn pairs<T: Field>(u: &Coords, v: &Coords) -> symspline_dynamic::Result<Vec<(T, 
 
 /// Values over fractions at parameters that are floats are rounded.
 fn met(values: Coords, exact: bool) -> Result<Coords> {
-    let _ = exact; Ok(values)
+    Ok(values.among(exact)?.into_owned())
 }
 
 /// Values along the axes of the parameters: numbers and points for one parameter.

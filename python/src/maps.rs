@@ -19,7 +19,7 @@ fn weights<T: Field>(row: &Functional<T>) -> Weights {
 fn matrix<T: Field>(map: symspline::Result<LinearMap<T>>) -> Result<Array> {
     let matrix = map?.to_matrix()?;
     // Columns are stored one after the other.
-    let numbers = matrix.iter().cloned().collect();
+    let numbers = matrix.transpose().iter().cloned().collect();
     Ok(Array::new(vec![matrix.nrows(), matrix.ncols()], T::coords(numbers)))
 }
 

@@ -39,7 +39,7 @@ fn periodic<T: Field>(degree: usize, knots: &[T]) -> Result<SplineSpace<T>> {
     let count = count.ok_or_else(|| wrong("there are too few knots"))?;
     // Once round, from the first copy of the seam.
     let copies = knots[..=degree].iter().rev().take_while(|t| **t == knots[degree]).count();
-    let first = degree;
+    let first = degree + 1 - copies;
     let round = knots[first..first + count].to_vec();
     let end = knots[degree + count].clone();
     let period = Num(end.clone().number());

@@ -148,11 +148,6 @@ impl Space {
         both!(&self.0, s => s.is_clamped())
     }
 
-    /// What makes an open one again, for pickling.
-    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> (Bound<'py, PyAny>, (usize, Array)) {
-        (slf.get_type().into_any(), (slf.get().degree(), slf.get().knots()))
-    }
-
     /// Whether numbers are fractions.
     #[getter]
     fn is_exact(&self) -> bool {

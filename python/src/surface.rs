@@ -25,7 +25,7 @@ pub struct Surface(pub AnySurface);
 pub fn check_rows(shape: &[usize], u: &AnySpace, v: &AnySpace) -> Result<()> {
     let expected = [u, v].map(|s| both!(s, s => s.dim()));
     match shape.get(..2) {
-        Some(_) => Ok(()),
+        Some(found) if found == expected => Ok(()),
         _ => Err(Failure::new(
             "Shape",
             format!("points of {expected:?} are needed, they have shape {shape:?}"),

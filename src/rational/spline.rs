@@ -187,6 +187,9 @@ impl<D: Domain<T>, T: Scalar, C: Coeff<T>> Rational<D, T, C> {
 
     /// The control points.
     ///
+    /// Over `f64` they are quotients rounded to nearest. If the weighted points were made of control points, those that come
+    /// back give the same weighted points, bit by bit, unless the numbers are at the ends of the range.
+    ///
     /// # Errors
     /// [`Error::Weight`] if a weight is not positive, so that its point is at infinity or beyond. That happens to
     /// results of operators only.
@@ -200,7 +203,13 @@ impl<D: Domain<T>, T: Scalar, C: Coeff<T>> Rational<D, T, C> {
     /// ```
     pub fn points(&self) -> Result<Vec<C>> {
         self.check_weights()?;
-        Ok(D::coeffs(&self.lifted).iter().map(Weighted::project).collect())
+        // Not times the inverse of the weight, which is rounded once more.
+        let divided = |c: &Weighted<T, C>| {
+            let mut point = c.point.clone();
+            point.divide(&c.weight);
+            point
+        };
+        Ok(D::coeffs(&self.lifted).iter().map(divided).collect())
     }
 }
 
@@ -219,4 +228,21 @@ pub(crate) fn weigh_points<T: Scalar, C: Coeff<T>>(
         return Err(Error::CoefficientCount { expected: points.len(), found: weights.len() });
     }
     Ok(points.iter().zip(weights).map(|(point, weight)| Weighted::new(point, weight)).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::space::SplineSpace;
+
+    #[test]
+    fn control_points_give_the_same_weighted_points_again() {
+        let space = SplineSpace::bezier(99, 0.0, 1.0).unwrap();
+        let part = |i: usize, step: f64| 1.0 + (i as f64 * step).fract();
+        let points = (0..100).map(|i| part(i, 0.618_033_988_749_894_9)).collect();
+        let weights: Vec<f64> = (0..100).map(|i| part(i, 0.414_213_562_373_095_1)).collect();
+        let once = Rational::<Interval, f64>::new(space.clone(), points, weights.clone()).unwrap();
+        let again = Rational::<Interval, f64>::new(space, once.points().unwrap(), weights).unwrap();
+        assert_eq!(again, once);
+    }
 }

@@ -203,7 +203,9 @@ impl Form {
                     (dim, Control::Apart(points, weights)) => {
                         AnyRational::new(space(s)?, dim, points, weights)?
                     }
-                    (dim, Control::Weighted(coords)) => AnyRational::from_homogeneous(space(s)?, dim, coords)?,
+                    (dim, Control::Weighted(coords)) => {
+                        AnyRational::from_homogeneous(space(s)?, dim, coords)?
+                    }
                 }
                 .into()
             }
@@ -217,7 +219,9 @@ impl Form {
                     (dim, Control::Apart(points, weights)) => {
                         AnyRationalSurface::new(u, v, dim, points, weights)?
                     }
-                    (dim, Control::Weighted(coords)) => AnyRationalSurface::from_homogeneous(u, v, dim, coords)?,
+                    (dim, Control::Weighted(coords)) => {
+                        AnyRationalSurface::from_homogeneous(u, v, dim, coords)?
+                    }
                 }
                 .into()
             }
