@@ -105,8 +105,8 @@ fn drawings_that_cannot_be_read_say_where() {
     ] {
         assert!(matches!(line(body).place, Place::Line { line: 2, .. }), "{body}");
     }
-    assert!(matches!(wrong("<svg>", Format::Svg).problem, Problem::Syntax(_)));
-    assert!(matches!(wrong("<html/>", Format::Svg).problem, Problem::Syntax(_)));
+    assert!(matches!(*wrong("<svg>", Format::Svg).problem, Problem::Syntax(_)));
+    assert!(matches!(*wrong("<html/>", Format::Svg).problem, Problem::Syntax(_)));
 }
 
 #[test]
@@ -263,12 +263,12 @@ fn formats_have_no_room_for_everything() {
     let (number, patch) = (Entry::from(Value::from(Over::Float(1.0))), patch());
     for format in Format::all().filter(|format| format.is_written() && *format != Format::Json) {
         let refused = to_bytes(std::slice::from_ref(&number), format).unwrap_err();
-        assert!(matches!(refused.problem, Problem::NoRoom { .. }), "{format:?}: {refused}");
+        assert!(matches!(*refused.problem, Problem::NoRoom { .. }), "{format:?}: {refused}");
         assert_eq!(refused.place, Place::Entry("item 0".into()));
     }
     assert!(to_bytes(&[patch], Format::Svg).is_err());
-    assert!(matches!(from_bytes(b"", Format::Ply).unwrap_err().problem, Problem::OneWay { .. }));
-    assert!(matches!(from_bytes(b"", Format::Font).unwrap_err().problem, Problem::NoText));
+    assert!(matches!(*from_bytes(b"", Format::Ply).unwrap_err().problem, Problem::OneWay { .. }));
+    assert!(matches!(*from_bytes(b"", Format::Font).unwrap_err().problem, Problem::NoText));
 }
 
 #[test]

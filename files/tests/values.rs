@@ -24,7 +24,7 @@ proptest! {
         let text = to_bytes(&entries, Format::Json).unwrap();
         let kept = ((text.len() - 2) as f64 * share) as usize;
         let refused = from_bytes(&text[..kept], Format::Json).unwrap_err();
-        prop_assert!(matches!(refused.problem, Problem::Syntax(_)), "{}", refused);
+        prop_assert!(matches!(*refused.problem, Problem::Syntax(_)), "{}", refused);
     }
 }
 

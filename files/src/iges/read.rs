@@ -123,7 +123,7 @@ impl File<'_> {
         };
         let mut text = Vec::with_capacity(records.len() * PARAMETERS);
         for record in records {
-            let owner = record.whole(PARAMETERS, record.data.len()).map_err(|error| error.problem)?;
+            let owner = record.whole(PARAMETERS, record.data.len()).map_err(|error| *error.problem)?;
             if usize::try_from(owner) != Ok(2 * i + 1) {
                 return wrong(format!(
                     "the parameters in line {} belong to directory entry {owner}",

@@ -47,7 +47,7 @@ pub(super) fn parts<'a>(scanner: &mut Scanner<'a>) -> Read<Vec<Part<'a>>> {
 }
 
 fn word<'a>(scanner: &mut Scanner<'a>) -> Read<Token<'a>> {
-    scanner.next().map_err(|error| error.problem)
+    scanner.next().map_err(|error| *error.problem)
 }
 
 fn list_after<'a>(scanner: &mut Scanner<'a>) -> Read<Vec<Parameter<'a>>> {
