@@ -59,7 +59,7 @@ impl Failure {
     pub fn code(&self) -> u8 {
         match self {
             Self::Refused { .. } => 1,
-            Self::File(error) => match error.problem {
+            Self::File(error) => match *error.problem {
                 Problem::Syntax(_) | Problem::Value(_) => 4,
                 Problem::NoRoom { .. } => 1,
                 _ => 3,

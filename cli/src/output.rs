@@ -54,7 +54,7 @@ pub fn write_bytes(file: &Path, bytes: &[u8]) -> Result<()> {
 /// A value that cannot be written is refused; the file is not at fault.
 fn of_values(mut error: symspline_files::FileError, name: &str) -> Failure {
     error.file = name.to_owned();
-    match error.problem {
+    match *error.problem {
         symspline_files::Problem::Value(_) => Failure::refused(error),
         _ => error.into(),
     }
