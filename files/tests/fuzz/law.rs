@@ -39,7 +39,7 @@ fn once_more(entries: &[Entry], format: Format) -> Option<Vec<Entry>> {
         Ok(bytes) => Some(read(&bytes, format).unwrap_or_else(|error| {
             panic!("{error}: what was written is refused:\n{}", String::from_utf8_lossy(&bytes))
         })),
-        Err(error) if matches!(error.problem, Problem::NoRoom { .. } | Problem::Value(_)) => None,
+        Err(error) if matches!(*error.problem, Problem::NoRoom { .. } | Problem::Value(_)) => None,
         Err(error) => panic!("{error}: what was read is not written"),
     }
 }
