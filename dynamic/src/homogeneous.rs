@@ -53,26 +53,3 @@ macro_rules! homogeneous {
 
 homogeneous!(AnyRational, Interval, Spline, (space));
 homogeneous!(AnyRationalSurface, Rectangle, TensorSpline, (u, v));
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use symspline::SplineSpace;
-
-    #[test]
-    fn a_weight_of_zero_comes_back() {
-        let space = AnySpace::from(SplineSpace::bezier(2, 0.0, 1.0).unwrap());
-        let coords = Coords::Float(vec![1.0, 0.0, 1.0, 0.1, 0.1, 0.0, 0.0, 1.0, 1.0]);
-        let half_circle = AnyRational::from_homogeneous(space, 2, coords.clone()).unwrap();
-        assert_eq!(half_circle.homogeneous(), coords);
-    }
-
-    #[test]
-    fn coordinates_make_whole_points_of_the_field_of_the_space() {
-        let space = AnySpace::from(SplineSpace::bezier(1, 0.0, 1.0).unwrap());
-        let short = AnyRational::from_homogeneous(space.clone(), 2, Coords::Float(vec![1.0; 5]));
-        assert_eq!(short.unwrap_err(), Error::Torn { count: 5, dim: 3 });
-        let exact = AnyRational::from_homogeneous(space, 2, Coords::Exact(vec![Q::from(1_i64); 6]));
-        assert_eq!(exact.unwrap_err(), Error::Fields { left: "float", right: "exact" });
-    }
-}

@@ -57,19 +57,3 @@ linear!(AnyRational, s, 1, Result::Ok(s.homogeneous()), |s: &Self, dim, coords| 
 linear!(AnyRationalSurface, s, 1, Result::Ok(s.homogeneous()), |s: &Self, dim, coords| {
     Self::from_homogeneous(s.space(Direction::U), s.space(Direction::V), dim, coords)
 });
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use symspline::{Q, SplineSpace};
-
-    #[test]
-    fn a_shear_of_a_curve_and_its_shadow() {
-        let q = |all: &[i64]| Coords::Exact(all.iter().map(|&n| Q::int(n)).collect());
-        let space = SplineSpace::bezier(1, Q::int(0), Q::int(1)).unwrap().into();
-        let line = AnySpline::new(space, 2, q(&[1, 2, 3, 5])).unwrap();
-        assert_eq!(line.transformed(&q(&[1, 1, 0, 1])).unwrap().coords().unwrap(), q(&[3, 2, 8, 5]));
-        assert_eq!(line.transformed(&q(&[0, 1])).unwrap(), line.coordinate(1).unwrap());
-        assert_eq!(line.transformed(&q(&[1, 2, 3])).unwrap_err(), Error::Torn { count: 3, dim: 2 });
-    }
-}

@@ -191,3 +191,28 @@ fn operators_are_those_of_the_library() {
     assert_eq!(s.composed(&c.coordinate(0).unwrap()).unwrap_err(), Error::Dimensions { left: 2, right: 1 });
     assert!(c.coordinate(2).is_err() && c.coordinate(1).is_ok());
 }
+
+#[test]
+fn a_shear_of_a_curve_and_its_shadow() {
+    let line = AnySpline::new(line().into(), 2, exact(&[1, 2, 3, 5])).unwrap();
+    assert_eq!(line.transformed(&exact(&[1, 1, 0, 1])).unwrap().coords().unwrap(), exact(&[3, 2, 8, 5]));
+    assert_eq!(line.transformed(&exact(&[0, 1])).unwrap(), line.coordinate(1).unwrap());
+    assert_eq!(line.transformed(&exact(&[1, 2, 3])).unwrap_err(), Error::Torn { count: 3, dim: 2 });
+}
+
+#[test]
+fn a_weight_of_zero_comes_back() {
+    let space = SplineSpace::bezier(2, 0.0, 1.0).unwrap();
+    let coords = Coords::Float(vec![1.0, 0.0, 1.0, 0.1, 0.1, 0.0, 0.0, 1.0, 1.0]);
+    let half_circle = AnyRational::from_homogeneous(space.into(), 2, coords.clone()).unwrap();
+    assert_eq!(half_circle.homogeneous(), coords);
+}
+
+#[test]
+fn homogeneous_coordinates_make_whole_points_of_the_field_of_the_space() {
+    let space = SplineSpace::bezier(1, 0.0, 1.0).unwrap();
+    let short = AnyRational::from_homogeneous(space.clone().into(), 2, Coords::Float(vec![1.0; 5]));
+    assert_eq!(short.unwrap_err(), Error::Torn { count: 5, dim: 3 });
+    let other = AnyRational::from_homogeneous(space.into(), 2, exact(&[1; 6]));
+    assert_eq!(other.unwrap_err(), Error::Fields { left: "float", right: "exact" });
+}
