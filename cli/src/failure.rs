@@ -11,7 +11,7 @@ pub type Result<T> = std::result::Result<T, Failure>;
 pub enum Failure {
     /// A file that was not read or not written.
     #[error(transparent)]
-    File(Box<FileError>),
+    File(FileError),
     /// The library refused; the place is the file, and the entry if it holds several, or nothing.
     #[error("{place}{}{problem}", if place.is_empty() { "" } else { ": " })]
     Refused {
@@ -62,6 +62,7 @@ impl Failure {
             Self::File(error) => match *error.problem {
                 Problem::Syntax(_) | Problem::Value(_) => 4,
                 Problem::NoRoom { .. } => 1,
+                Problem::NoText => 2,
                 _ => 3,
             },
             Self::Usage(_) => 2,
@@ -75,7 +76,7 @@ impl Failure {
 
 impl From<FileError> for Failure {
     fn from(error: FileError) -> Self {
-        Self::File(Box::new(error))
+        Self::File(error)
     }
 }
 

@@ -92,15 +92,30 @@ pub fn file_name(file: &Path) -> String {
 /// What messages call an entry of a file that holds several.
 pub fn entry_name(index: usize, entry: &Entry) -> String {
     match &entry.name {
-        Some(name) => format!("item {index} ({name})"),
+        Some(name) => format!("item {index} ({})", visible(name)),
         None => format!("item {index}"),
     }
+}
+
+/// A text from a file for people: what would steer a terminal is written out.
+pub fn visible(text: &str) -> String {
+    text.chars()
+        .map(|c| if c.is_control() { c.escape_unicode().to_string() } else { c.to_string() })
+        .collect()
 }
 
 impl Input {
     /// What messages call the file.
     pub fn label(&self) -> String {
         file_name(&self.file)
+    }
+
+    /// What messages call the one entry that is meant: the file, and the entry if it was chosen.
+    fn place(&self, index: usize, entry: &Entry) -> String {
+        match self.name.is_some() || self.item.is_some() {
+            true => format!("{}: {}", self.label(), entry_name(index, entry)),
+            false => self.label(),
+        }
     }
 
     /// The entries that are meant: one if it was named, else all.
@@ -127,11 +142,14 @@ impl Input {
         Ok(chosen)
     }
 
-    /// The one entry that is meant; if the file holds several, one must be named.
-    pub fn entry(&self) -> Result<Entry> {
+    /// The one entry that is meant, and what messages call it; if the file holds several, one must be named.
+    pub fn entry(&self) -> Result<(String, Entry)> {
         let mut all = self.entries()?;
         match all.len() {
-            1 => Ok(all.remove(0).1),
+            1 => {
+                let (i, entry) = all.remove(0);
+                Ok((self.place(i, &entry), entry))
+            }
             0 => Err(Failure::refused("the file holds nothing").at(&self.label())),
             _ => {
                 let listed: Vec<String> = all.iter().map(|(i, entry)| entry_name(*i, entry)).collect();
@@ -142,10 +160,10 @@ impl Input {
         }
     }
 
-    /// The one entry that is meant, changed; what `change` refuses is told with the name of the file.
+    /// The one entry that is meant, changed; what `change` refuses is told with its place.
     pub fn changed(&self, change: impl FnOnce(&Value) -> Result<Value>) -> Result<Vec<Entry>> {
-        let entry = self.entry()?;
-        let value = change(&entry.value).map_err(|failure| failure.at(&self.label()))?;
+        let (place, entry) = self.entry()?;
+        let value = change(&entry.value).map_err(|failure| failure.at(&place))?;
         Ok(vec![Entry { value, ..entry }])
     }
 }

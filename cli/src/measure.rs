@@ -44,11 +44,12 @@ pub fn bounding_box(value: &Value) -> symspline_dynamic::Result<Option<Vec<[f64;
         ($s:expr) => {{
             let range = |axis| {
                 let coordinate = $s.coordinate(axis)?;
-                let size = match coordinate.coords()? {
-                    symspline_dynamic::Over::Float(all) => {
+                // Control points may lie at infinity, where weights are zero.
+                let size = match coordinate.coords() {
+                    Ok(symspline_dynamic::Over::Float(all)) => {
                         all.iter().fold(f64::MIN_POSITIVE, |m, x| m.max(x.abs()))
                     }
-                    symspline_dynamic::Over::Exact(_) => 1.0,
+                    _ => 1.0,
                 };
                 match coordinate {
                     Any::F1(f) => {

@@ -1,5 +1,6 @@
 //! The arguments of a function, taken apart by kind.
 
+use symspline::limits::MAX_DEGREE;
 use symspline_dynamic::{AnySpline, Coords, Error, Number, Over, Value};
 
 /// Why a function has no value.
@@ -58,16 +59,16 @@ impl<'a> Arguments<'a> {
         }
     }
 
-    /// A whole number that is not negative, and not large.
+    /// A whole number that is not negative, and no more than degrees can be.
     pub fn count_of(&self, i: usize) -> Given<usize> {
         let whole = match self.number(i)? {
             Over::Exact(x) => x.to_string().parse().ok(),
-            Over::Float(x) if x.fract() == 0.0 && (0.0..=1e6).contains(x) => Some(*x as usize),
+            Over::Float(x) if x.fract() == 0.0 && (0.0..=MAX_DEGREE as f64).contains(x) => Some(*x as usize),
             Over::Float(_) => None,
         };
-        whole.filter(|n| *n <= 1_000_000).ok_or_else(|| Refusal {
+        whole.filter(|n| *n <= MAX_DEGREE).ok_or_else(|| Refusal {
             argument: Some(i),
-            problem: "a whole number from 0 to 1000000 is expected".to_owned(),
+            problem: format!("a whole number from 0 to {MAX_DEGREE} is expected"),
         })
     }
 

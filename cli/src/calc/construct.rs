@@ -56,7 +56,7 @@ pub fn ramp(a: &mut Arguments<'_>, rises: bool) -> Given<Value> {
 }
 
 /// A constant over an interval.
-fn constant(
+pub fn constant(
     value: Coords,
     (start, end): (&Number, &Number),
     exact: bool,

@@ -5,6 +5,7 @@ use crate::calc::complaint::Complaint;
 use crate::calc::construct::quotient;
 use crate::calc::functions::{FUNCTIONS, Function, composed};
 use crate::calc::parser::parse;
+use crate::calc::size;
 use crate::calc::tree::{Kind, Node, Operator};
 use std::collections::BTreeMap;
 use symspline_dynamic::{Number, Value};
@@ -54,9 +55,10 @@ impl Evaluator<'_> {
                 let mut left = self.value(first)?;
                 for (operator, node) in others {
                     let right = self.value(node)?;
-                    left = applied(*operator, &left, &right).map_err(|refusal| {
-                        Complaint::value(first.span.start..node.span.end, refusal.problem)
-                    })?;
+                    left = applied(*operator, &left, &right)
+                        .map_err(|refusal| refusal.problem)
+                        .and_then(not_too_large)
+                        .map_err(|problem| Complaint::value(first.span.start..node.span.end, problem))?;
                 }
                 Ok(left)
             }
@@ -79,11 +81,18 @@ impl Evaluator<'_> {
         let mut arguments = Arguments::new(&values);
         let given = (function.apply)(&mut arguments);
         self.notes.append(&mut arguments.notes);
-        given.map_err(|Refusal { argument, problem }| {
+        let value = given.map_err(|Refusal { argument, problem }| {
             let span = argument.and_then(|i| nodes.get(i)).unwrap_or(node).span.clone();
             Complaint::value(span, problem)
-        })
+        })?;
+        not_too_large(value).map_err(here)
     }
+}
+
+/// The value, if it is small enough to go on with.
+fn not_too_large(value: Value) -> Result<Value, String> {
+    size::check(&value)?;
+    Ok(value)
 }
 
 fn applied(operator: Operator, left: &Value, right: &Value) -> Result<Value, Refusal> {
@@ -123,6 +132,10 @@ mod tests {
         assert_eq!(shown("y((4, 5, 6))"), "exact number 5");
         assert_eq!(shown("float(1/4) + 1/4"), "float number 0.5");
         assert_eq!(shown("dot((1, 2), (3, 4))"), "exact number 11");
+        assert_eq!(shown("dot(3, 1/6)"), "exact number 1/2");
+        assert_eq!(shown("abs2(float(3))"), "float number 9");
+        assert_eq!(shown("cross((1, 2), (3, 4))"), "exact number -2");
+        assert_eq!(shown("cross((1, 0, 0), float(1) * (0, 1, 0))"), "float point (0, 0, 1)");
     }
 
     #[test]

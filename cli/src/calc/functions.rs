@@ -1,9 +1,10 @@
 //! The functions of expressions: a table of names, uses and what they do.
 
 use crate::calc::arguments::{Arguments, Given, Refusal};
-use crate::calc::construct::{curve, ramp, uniform};
+use crate::calc::construct::{constant, curve, ramp, uniform};
+use crate::calc::size;
 use symspline::{Direction, Q, Scalar};
-use symspline_dynamic::{AnyRational, AnySpline, Coords, Field, Number, Over, Value, each};
+use symspline_dynamic::{AnyRational, AnySpace, AnySpline, Coords, Field, Number, Over, Value, each};
 
 /// A function.
 pub struct Function {
@@ -34,8 +35,8 @@ pub const FUNCTIONS: [Function; 37] = [
         integral,
     ),
     function("at", "f, x | S, u, v", "the value at a parameter", (2, 3), at),
-    function("dot", "f, g", "the inner product of values", (2, 2), |a| Ok(a.value(0).dot(a.value(1))?)),
-    function("cross", "f, g", "the cross product of values", (2, 2), |a| Ok(a.value(0).cross(a.value(1))?)),
+    function("dot", "f, g", "the inner product of values", (2, 2), |a| dot(a.value(0), a.value(1))),
+    function("cross", "f, g", "the cross product of values", (2, 2), cross),
     function("inner", "f, g", "the integral of the inner product", (2, 2), |a| {
         Ok(a.spline(0)?.inner(a.spline(1)?)?.into())
     }),
@@ -75,7 +76,7 @@ pub const FUNCTIONS: [Function; 37] = [
     function("const", "c, a, b", "the constant c over the interval from a to b", (3, 3), |a| ramp(a, false)),
     function("param", "a, b", "the function x over the interval from a to b", (2, 2), |a| ramp(a, true)),
     function("curve", "x, y[, z]", "the curve whose coordinates are these functions", (2, 3), curve),
-    function("abs2", "f", "the squared length of values", (1, 1), |a| Ok(a.value(0).dot(a.value(0))?)),
+    function("abs2", "f", "the squared length of values", (1, 1), |a| dot(a.value(0), a.value(0))),
 ];
 
 const fn function(
@@ -121,6 +122,21 @@ fn diff(a: &mut Arguments<'_>) -> Given<Value> {
     })
 }
 
+/// The inner product of values; of numbers their product, as of functions.
+fn dot(f: &Value, g: &Value) -> Given<Value> {
+    Ok(if matches!((f, g), (Value::Number(_), Value::Number(_))) { f.product(g)? } else { f.dot(g)? })
+}
+
+/// The cross product of values; of points that of constants.
+fn cross(a: &mut Arguments<'_>) -> Given<Value> {
+    let (Value::Point(p), Value::Point(q)) = (a.value(0), a.value(1)) else {
+        return Ok(a.value(0).cross(a.value(1))?);
+    };
+    let (start, end) = (Number::Exact(Q::int(0)), Number::Exact(Q::int(1)));
+    let constant = |point: &Coords| constant(point.clone(), (&start, &end), p.is_exact() && q.is_exact());
+    Ok(point(constant(p)?.cross(&constant(q)?)?.at(&start)?))
+}
+
 fn partial(a: &mut Arguments<'_>, direction: Direction) -> Given<Value> {
     of_two_parameters!(a, s => s.derivative(direction)?)
 }
@@ -158,9 +174,19 @@ fn at(a: &mut Arguments<'_>) -> Given<Value> {
 
 /// `x` to `f(g(x))`; for a surface `f` the curve on it over a plane curve `g`.
 pub fn composed(f: &Value, g: &Value) -> Given<Value> {
+    let short = |outer: Vec<AnySpace>, inner: &AnySpline| {
+        let checked = size::check_composition(&outer, &inner.spaces());
+        checked.map_err(|problem| Refusal { argument: None, problem })
+    };
     match (f, g) {
-        (Value::Spline(f), Value::Spline(g)) => Ok(f.composed(g)?.into()),
-        (Value::Surface(f), Value::Spline(g)) => Ok(f.composed(g)?.into()),
+        (Value::Spline(f), Value::Spline(g)) => {
+            short(f.spaces(), g)?;
+            Ok(f.composed(g)?.into())
+        }
+        (Value::Surface(f), Value::Spline(g)) => {
+            short(f.spaces(), g)?;
+            Ok(f.composed(g)?.into())
+        }
         _ => Err(Refusal {
             argument: None,
             problem: format!(

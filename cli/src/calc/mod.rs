@@ -16,7 +16,10 @@ pub mod tree;
 pub mod parser;
 pub mod arguments;
 pub mod construct;
+pub mod size;
 pub mod functions;
 pub mod evaluate;
 #[cfg(test)]
 mod laws;
+#[cfg(test)]
+mod attacked;

@@ -86,6 +86,7 @@ mod tests {
         let words: Vec<String> = found.iter().map(|(token, _)| token.describe()).collect();
         assert_eq!(words, ["'P0'", "'+'", "a number", "'*'", "'α'", "'('", "'x_1'", "')'", "the end"]);
         assert_eq!(found[2], (Token::Number(Q::frac(3, 20)), 4..10));
+        assert_eq!(tokens("2E+3").unwrap()[0], (Token::Number(Q::int(2000)), 0..4));
     }
 
     #[test]

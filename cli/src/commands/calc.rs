@@ -18,9 +18,10 @@ pub struct Calc {
     /// The expression
     #[arg(allow_hyphen_values = true)]
     expression: String,
-    /// Files whose entries are bound to their names; `-` is standard input
-    files: Vec<std::path::PathBuf>,
-    /// Bind a name to the entry of a file, or to one of several: `C=file.json:name`
+    /// Files whose entries are bound to their names; `-` is standard input; `NAME=FILE[:ENTRY]` as with --let
+    #[arg(value_name = "FILE")]
+    files: Vec<String>,
+    /// Bind a name to the entry of a file, or to one of several, by its name or number: `C=file.json:name`
     #[arg(long = "let", value_name = "NAME=FILE[:ENTRY]")]
     bindings: Vec<Binding>,
     /// The format of all files, if the endings of names do not tell it
@@ -85,20 +86,34 @@ impl Calc {
 
     fn names(&self) -> Result<Names> {
         let mut names = Names::new();
+        let mut bindings = Vec::new();
         for file in &self.files {
-            let entries = input::read(file, self.from)?;
-            for entry in entries {
-                if let Some(name) = entry.name.clone() {
-                    self.bind(&mut names, name, entry, &input::file_name(file))?;
-                }
+            match file.parse() {
+                // A file may have `=` in its name.
+                Ok(binding) if !Path::new(file).exists() => bindings.push(binding),
+                _ => self.bind_all(&mut names, Path::new(file))?,
             }
         }
-        for binding in &self.bindings {
+        bindings.extend(self.bindings.iter().cloned());
+        for (i, binding) in bindings.iter().enumerate() {
+            if bindings[..i].iter().any(|earlier| earlier.name == binding.name) {
+                return Err(Failure::Usage(format!("'{}' is bound twice", binding.name)));
+            }
             let entry = bound_entry(binding, self.from)?;
             names.remove(&binding.name);
             self.bind(&mut names, binding.name.clone(), entry, &binding.file)?;
         }
         Ok(names)
+    }
+
+    /// Binds the entries of a file that have names.
+    fn bind_all(&self, names: &mut Names, file: &Path) -> Result<()> {
+        for entry in input::read(file, self.from)? {
+            if let Some(name) = entry.name.clone() {
+                self.bind(names, name, entry, &input::file_name(file))?;
+            }
+        }
+        Ok(())
     }
 
     /// Binds a name that is not bound yet, to the value in the field that was chosen.
@@ -114,7 +129,7 @@ impl Calc {
     }
 }
 
-/// The entry that `file` or `file:name` means.
+/// The entry that `file`, `file:name` or `file:number` means; numbers count from 0.
 pub fn bound_entry(binding: &Binding, from: Option<Format>) -> Result<Entry> {
     let (file, name) = match binding.file.rsplit_once(':') {
         Some((front, name)) if !Path::new(&binding.file).exists() => (front, Some(name)),
@@ -123,7 +138,11 @@ pub fn bound_entry(binding: &Binding, from: Option<Format>) -> Result<Entry> {
     let mut entries = input::read(Path::new(file), from)?;
     let listed: Vec<String> = entries.iter().enumerate().map(|(i, e)| input::entry_name(i, e)).collect();
     if let Some(name) = name {
-        entries.retain(|entry| entry.name.as_deref() == Some(name));
+        let is_called = |entry: &Entry| entry.name.as_deref() == Some(name);
+        match name.parse().ok().filter(|_| !entries.iter().any(is_called)) {
+            Some(number) => entries = entries.into_iter().skip(number).take(1).collect(),
+            None => entries.retain(is_called),
+        }
     }
     if entries.len() == 1 {
         return Ok(entries.remove(0));
@@ -131,7 +150,7 @@ pub fn bound_entry(binding: &Binding, from: Option<Format>) -> Result<Entry> {
     let there = if listed.is_empty() { "nothing".to_owned() } else { listed.join(", ") };
     let problem = match name {
         Some(name) => format!("there is no one entry called '{name}'; there is {there}"),
-        None => format!("name one entry, as in {file}:NAME; there is {there}"),
+        None => format!("tell which entry, as in {file}:NAME or {file}:0; there is {there}"),
     };
     Err(Failure::refused(problem).at(file))
 }
@@ -145,7 +164,7 @@ fn after_help() -> String {
          Functions:\n{}\n\
          Examples:\n  \
          symspline calc 'integral(bezier(0, 0, 1), 0, 1)'\n  \
-         symspline calc 'at(C, 0) + integral(a * diff(C))' --let C=curve.json --let a=scales.json:soft -o tuned.json\n  \
+         symspline calc 'P0 + integral(alpha * diff(C))' P0=start.json C=curve.json alpha=scales.json:soft -o tuned.json\n  \
          symspline calc 'same(diff(f * g), diff(f) * g + f * diff(g))' functions.json",
         functions.collect::<String>()
     )

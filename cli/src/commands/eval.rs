@@ -54,8 +54,8 @@ struct Row {
 impl Eval {
     /// Runs the command.
     pub fn run(&self) -> Result<()> {
-        let entry = self.input.entry()?;
-        let rows = self.rows(&entry.value).map_err(|failure| failure.at(&self.input.label()))?;
+        let (place, entry) = self.input.entry()?;
+        let rows = self.rows(&entry.value).map_err(|failure| failure.at(&place))?;
         if self.json {
             let row = |row: &Row| {
                 let place: Json = row.place.iter().map(number).collect();

@@ -1,7 +1,7 @@
 //! `info`: what a file holds.
 
-use crate::failure::{Failure, Result};
-use crate::input::{Input, entry_name};
+use crate::failure::Result;
+use crate::input::{Input, visible};
 use crate::{measure, output};
 use clap::Args;
 use serde_json::{Map, Value as Json, json};
@@ -26,12 +26,7 @@ impl Info {
     /// Runs the command.
     pub fn run(&self) -> Result<()> {
         let entries = self.input.entries()?;
-        let mut told = Vec::new();
-        for (i, entry) in &entries {
-            let place = || format!("{}: {}", self.input.label(), entry_name(*i, entry));
-            let facts = facts(*i, entry).map_err(|error| Failure::from(error).at(&place()))?;
-            told.push(facts);
-        }
+        let told: Vec<Json> = entries.iter().map(|(i, entry)| facts(*i, entry)).collect();
         if self.json {
             return output::json(&Json::Array(told));
         }
@@ -40,7 +35,7 @@ impl Info {
 }
 
 /// What there is to tell of an entry.
-fn facts(index: usize, entry: &Entry) -> symspline_dynamic::Result<Json> {
+fn facts(index: usize, entry: &Entry) -> Json {
     let value = &entry.value;
     let mut facts = Map::new();
     let mut tell = |name: &str, fact: Json| drop(facts.insert(name.to_owned(), fact));
@@ -72,15 +67,21 @@ fn facts(index: usize, entry: &Entry) -> symspline_dynamic::Result<Json> {
         }
         _ => tell("parameters", spaces.iter().map(space).collect()),
     }
-    if let Some(ranges) = measure::bounding_box(value)? {
-        tell("box", json!(ranges));
+    // What is not found, such as the length of a curve that goes to infinity, keeps nothing else from being told.
+    match measure::bounding_box(value).transpose() {
+        Some(Ok(ranges)) => tell("box", json!(ranges)),
+        Some(Err(error)) => tell("box_problem", json!(error.to_string())),
+        None => {}
     }
-    if let Some(length) = measure::length(value) {
-        let length = length?;
-        tell("length", json!(length.total));
-        tell("length_error", json!(length.bound));
+    match measure::length(value) {
+        Some(Ok(length)) => {
+            tell("length", json!(length.total));
+            tell("length_error", json!(length.bound));
+        }
+        Some(Err(error)) => tell("length_problem", json!(error.to_string())),
+        None => {}
     }
-    Ok(facts.into())
+    facts.into()
 }
 
 /// What there is to tell of a space.
@@ -105,7 +106,7 @@ fn lines(facts: &Json) -> String {
         Json::String(text) => text.clone(),
         other => other.to_string(),
     };
-    let name = facts.get("name").map(|_| format!(" ({})", text("name"))).unwrap_or_default();
+    let name = facts.get("name").map(|_| format!(" ({})", visible(&text("name")))).unwrap_or_default();
     let mut lines = format!("item {}{name}: {} {}", facts["item"], text("field"), text("kind"));
     let dimension = facts["dimension"].as_u64().unwrap_or(1);
     if dimension > 1 {
@@ -132,6 +133,11 @@ fn lines(facts: &Json) -> String {
     if facts.get("length").is_some() {
         let error = facts["length_error"].as_f64().unwrap_or(0.0);
         lines += &format!("  length: {} (within {error:.1e})\n", facts["length"]);
+    }
+    for name in ["box", "length"] {
+        if let Some(problem) = facts[format!("{name}_problem")].as_str() {
+            lines += &format!("  {name}: not found: {problem}\n");
+        }
     }
     lines
 }
@@ -167,7 +173,7 @@ mod tests {
         let space = SplineSpace::bezier(2, Q::int(0), Q::int(1)).unwrap();
         let coords = [Q::int(0), Q::int(0), Q::frac(1, 2), Q::int(2), Q::int(1), Q::int(0)];
         let arch = AnySpline::new(space.into(), 2, Over::Exact(coords.to_vec())).unwrap();
-        let facts = facts(0, &Entry::named("C", arch)).unwrap();
+        let facts = facts(0, &Entry::named("C", arch));
         let top = facts["box"][1][1].as_f64().unwrap();
         assert!((1.0..1.0 + 1e-9).contains(&top));
         // The length of y = 4 x (1 - x) over [0, 1]: √17/2 + asinh(4)/8.

@@ -39,6 +39,25 @@ fn fields_are_chosen_and_do_not_mix() {
 }
 
 #[test]
+fn fine_tuning_as_it_is_written() {
+    let folder = Folder::new("calc_tuning");
+    // D = P0 + ∫ (1 + t) (2, 4 - 8 t) = (2 t + t², 4 t - 2 t² - 8/3 t³), from (5, 7).
+    folder.make("c.json", "C", "bezier((0, 0), (1, 2), (2, 0))");
+    folder.make("scale.json", "alpha", "bezier(1, 2)");
+    folder.make("start.json", "P0", "(5, 7)");
+    let tuned =
+        ["calc", "P0 + integral(alpha * diff(C))", "start.json", "scale.json", "c.json", "-o", "d.json"];
+    assert_eq!(folder.out(&tuned), "");
+    assert_eq!(folder.value("at(D, 1/2)", &["D=d.json"]), "(25/4, 49/6)");
+    let named = ["calc", "P0 + integral(alpha * diff(C))", "P0=start.json", "alpha=scale.json", "C=c.json"];
+    assert_eq!(folder.out(&named), std::fs::read_to_string(folder.0.join("d.json")).unwrap());
+    // The same as the command for it, from where the curve starts.
+    let command = folder.out(&["tune", "--alpha", "scale.json", "c.json"]);
+    let same = folder.given(&command, &["calc", "same(T, D - P0)", "T=-", "D=d.json", "start.json"]);
+    assert_eq!(same.out, "1\n", "{}", same.err);
+}
+
+#[test]
 fn errors_point_at_characters() {
     let folder = Folder::new("calc_errors");
     let cases = [
@@ -78,6 +97,27 @@ fn names_come_from_files_and_bindings() {
     let (error, _) = folder.refused(&["calc", "f", "--let", "f=g.json:h"]);
     assert_eq!(error, "symspline: g.json: there is no one entry called 'h'; there is item 0 (f)\n");
     assert_eq!(folder.refused(&["calc", "f", "--let", "2=g.json"]).1, 2);
+    // A binding among the files; by number where names do not tell.
+    assert_eq!(folder.value("at(f * h, 1)", &["h=g.json:f", "f.json"]), "2");
+    folder.write(
+        "two.json",
+        r#"{"format": "symspline", "version": 1, "items": [{"name": "o", "value": {"number": "3"}}, {"name": "o", "value": {"number": "5"}}]}"#,
+    );
+    assert_eq!(folder.value("a - b", &["a=two.json:0", "b=two.json:1"]), "-2");
+    let listed = "there is item 0 (o), item 1 (o)\n";
+    for (entry, problem) in [
+        (":2", "no one entry called '2'"),
+        (":o", "no one entry called 'o'"),
+        ("", "two.json:NAME or two.json:0"),
+    ] {
+        let (error, code) = folder.refused(&["calc", "a", &format!("a=two.json{entry}")]);
+        assert!(code == 1 && error.contains(problem) && error.ends_with(listed), "{error}");
+    }
+    let (error, code) = folder.refused(&["calc", "f", "f=f.json", "--let", "f=g.json"]);
+    assert_eq!((error.as_str(), code), ("symspline: 'f' is bound twice\n", 2));
+    // A file with `=` in its name is a file.
+    folder.make("x=f.json", "g", "bezier(1, 3)");
+    assert_eq!(folder.value("at(g, 1)", &["x=f.json"]), "3");
     // An entry without a name, from a pipe.
     let pipe = folder.out(&["calc", "bezier(1, 3)"]);
     assert_eq!(folder.given(&pipe, &["calc", "at(p, 1/2)", "--let", "p=-"]).out, "2\n");

@@ -52,6 +52,11 @@ fn entries_are_chosen_by_name_or_number() {
         (error.as_str(), code),
         ("symspline: two.json: there is no such entry; there is item 0, item 1 (half)\n", 1)
     );
+    // What is wrong with a chosen entry is told of it.
+    for command in [&["eval", "--at", "0"][..], &["subdivide"], &["tune", "--alpha-values", "1,1,1,1"]] {
+        let (error, code) = folder.refused(&[command, &["--item", "1", "two.json"]].concat());
+        assert!(code == 1 && error.starts_with("symspline: two.json: item 1 (half): "), "{error}");
+    }
     let (error, code) = folder.refused(&["eval", "--at", "0", "two.json"]);
     let listed =
         "symspline: two.json: choose an entry with --name or --item: there is item 0, item 1 (half)\n";
@@ -72,6 +77,8 @@ fn eval_gives_values_and_derivatives() {
     folder.write("saddle.json", SADDLE);
     assert_eq!(folder.out(&["eval", "--at", "1/2:1/3", "saddle.json"]), "1/2\t1/3\t1/2\t1/3\t1/6\n");
     assert_eq!(folder.out(&["eval", "--grid", "2", "saddle.json"]).lines().last(), Some("1\t1\t1\t1\t1"));
+    // Rows of one u, one after the other.
+    assert_eq!(folder.out(&["eval", "--grid", "3", "saddle.json"]).lines().nth(1), Some("0\t1/2\t0\t1/2\t0"));
     let rows =
         parsed(&folder.out(&["eval", "--at", "1/2:1/3", "--derivatives", "1", "--json", "saddle.json"]));
     assert_eq!(rows[2], json!({"at": ["1/2", "1/3"], "order": [1, 0], "value": ["1", "0", "1/3"]}));

@@ -3,6 +3,7 @@
 
 mod program;
 mod calc;
+mod formats;
 mod looking;
 mod meshes;
 mod readme;

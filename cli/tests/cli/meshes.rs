@@ -47,6 +47,24 @@ fn boundaries_are_open_smooth_or_have_corners() {
     };
     assert!(corner("corners") && !corner("smooth"));
     assert_eq!(folder.refused(&["subdivide", "--boundary", "round", "square.json"]).1, 2);
+    // Sixteen points of a square lattice are the control points of one bicubic patch, over the face in the middle.
+    let points: Vec<String> = (0..16).map(|i| format!("[{}, {}, 0]", i % 4, i / 4)).collect();
+    let faces: Vec<String> =
+        [0, 1, 2, 4, 5, 6, 8, 9, 10].map(|i| format!("[{i}, {}, {}, {}]", i + 1, i + 5, i + 4)).to_vec();
+    folder.write(
+        "lattice.json",
+        &format!(
+            r#"{{"format": "symspline", "version": 1, "items": [{{"value": {{"mesh": {{"field": "exact",
+            "points": [{}], "faces": [{}]}}}}}}]}}"#,
+            points.join(", "),
+            faces.join(", ")
+        ),
+    );
+    for (boundary, range) in [("open", [1.0, 2.0]), ("smooth", [0.0, 3.0])] {
+        folder.out(&["subdivide", "--limit", "--boundary", boundary, "lattice.json", "-o", "fine.json"]);
+        let facts: Value = serde_json::from_str(&folder.out(&["info", "--json", "fine.json"])).unwrap();
+        assert_eq!(facts[0]["box"], serde_json::json!([range, range, [0.0, 0.0]]), "{boundary}");
+    }
 }
 
 #[test]

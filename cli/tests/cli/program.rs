@@ -26,6 +26,12 @@ impl From<Output> for Said {
     }
 }
 
+/// A search path on which the program is the first.
+pub fn path() -> String {
+    let program = std::path::Path::new(env!("CARGO_BIN_EXE_symspline")).parent().unwrap();
+    format!("{}:{}", program.display(), std::env::var("PATH").unwrap())
+}
+
 impl Folder {
     /// An empty folder.
     pub fn new(test: &str) -> Self {

@@ -1,6 +1,6 @@
 //! The commands of the README, in their order, in one folder: each gives what stands below it.
 
-use crate::program::Folder;
+use crate::program::{self, Folder};
 use std::process::Command;
 
 const README: &str = include_str!("../../README.md");
@@ -23,15 +23,13 @@ fn commands() -> Vec<(String, String)> {
 #[test]
 fn commands_of_the_readme_give_what_it_says() {
     let folder = Folder::new("readme");
-    let program = std::path::Path::new(env!("CARGO_BIN_EXE_symspline")).parent().unwrap();
-    let path = format!("{}:{}", program.display(), std::env::var("PATH").unwrap());
     let commands = commands();
     assert!(commands.len() > 30);
     for (command, output) in commands {
         let run = Command::new("sh")
             .args(["-c", &command])
             .current_dir(&folder.0)
-            .env("PATH", &path)
+            .env("PATH", program::path())
             .output()
             .unwrap();
         let error = String::from_utf8_lossy(&run.stderr).into_owned();
