@@ -53,6 +53,9 @@ impl Convert {
 }
 
 /// The outlines of a text in a font.
-fn outlines(font: &Path, _text: &str) -> Result<Vec<Entry>> {
-    Err(Failure::refused("no font formats are read yet").at(&input::file_name(font)))
+fn outlines(font: &Path, text: &str) -> Result<Vec<Entry>> {
+    symspline_files::font::outlines(&input::bytes(font)?, text).map_err(|mut error| {
+        error.file = input::file_name(font);
+        error.into()
+    })
 }
