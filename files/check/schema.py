@@ -2,20 +2,23 @@
 
 import copy
 import json
-import os
+import re
 import subprocess
-import sys
-import tempfile
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
 
 from jsonschema import Draft202012Validator
 
-CONVERT, HERE = sys.argv[1], os.path.dirname(os.path.abspath(__file__))
-with open(os.path.join(HERE, "..", "symspline.schema.json")) as file:
-    schema = json.load(file)
+from plain import PROGRAM, check, done
+
+FILES = Path(__file__).parent.parent
+schema = json.loads((FILES / "symspline.schema.json").read_text())
 Draft202012Validator.check_schema(schema)
 validator = Draft202012Validator(schema)
-with open(os.path.join(HERE, "..", "tests", "corpus", "json", "all.json")) as file:
-    document = json.load(file)
+document = json.loads((FILES / "tests/corpus/json/all.json").read_text())
+
+# How an error is told that is about the form, and not about values: with line and column, or in these words.
+FORM = re.compile(r":\d+:\d+: |write a text|make a rational spline|is not known|\"format\" is")
 
 
 def paths(node, at=()):
@@ -42,7 +45,7 @@ def changes():
     for at in paths(document):
         if not at:
             continue
-        for value in [None, True, "x", "1/0", "1/3", -1, 0.5, 2.0, 1e300, 9007199254740993, [], {}, [[]]]:
+        for value in [None, "x", "1/0", "1/3", -1, 0.5, 2.0, 9007199254740993, [], {}]:
             yield at, value, changed(at, put(value))
         yield at, "deleted", changed(at, lambda node, key: node.pop(key))
         if isinstance(at[-1], str):
@@ -50,26 +53,25 @@ def changes():
             yield at, "extra", changed(at, lambda node, key: node.__setitem__("extra", 1))
 
 
-with tempfile.TemporaryDirectory() as folder:
-    path, out = os.path.join(folder, "a.json"), os.path.join(folder, "b.json")
+def told(content):
+    """Whether the program takes a document, what it says against it, and what it writes."""
+    command = [PROGRAM, "convert", "--from", "json", "--to", "json", "-", "-"]
+    run = subprocess.run(command, input=json.dumps(content), capture_output=True, text=True)
+    return run.returncode == 0, run.stderr, run.stdout
 
-    def told(content):
-        with open(path, "w") as file:
-            json.dump(content, file)
-        run = subprocess.run([CONVERT, path, out], capture_output=True, text=True)
-        return run.returncode == 0, run.stderr
 
-    accepted, _ = told(document)
-    with open(out) as file:
-        written = json.load(file)
-    assert accepted and not list(validator.iter_errors(written)) and not list(validator.iter_errors(document))
-    count = {True: 0, False: 0}
-    for at, value, content in changes():
-        fits = validator.is_valid(content)
-        accepted, error = told(content)
-        # What the schema cannot see is about values, not the form: the error is not one of syntax.
-        is_value = not accepted and "Syntax" not in error
-        assert accepted <= fits, ("the reader takes what the schema refuses", at, value)
-        assert fits <= (accepted or is_value), ("the schema takes a form that the reader refuses", at, value, error)
-        count[fits] += 1
-print(f"schema: {count[True]} forms fit, {count[False]} do not, the reader agrees")
+def agree(change):
+    at, value, content = change
+    fits, (accepted, error, _) = validator.is_valid(content), told(content)
+    # What the schema cannot see is about values, not the form.
+    check(fits or not accepted, f"the reader takes what the schema refuses: {at}, {value}")
+    check(accepted or not fits or not FORM.search(error), f"the schema takes what the reader refuses: {at}, {value}: {error}")
+    return fits
+
+
+accepted, error, written = told(document)
+check(accepted and validator.is_valid(document) and validator.is_valid(json.loads(written)), f"the corpus: {error}")
+with ThreadPoolExecutor(4) as pool:
+    fits = list(pool.map(agree, changes()))
+print(f"schema: {sum(fits)} forms fit, {len(fits) - sum(fits)} do not, the reader agrees")
+done()

@@ -13,12 +13,10 @@
 use crate::entry::Entry;
 use crate::error::{Place, Problem, Result};
 use crate::json::{Count, syntax};
-use crate::projected::Projected;
-use crate::rounded::{Rounded, points_of, rounded};
+use crate::nurbs::{Along, Nurbs};
 use serde::de::IgnoredAny;
 use serde::{Deserialize, Serialize};
-use symspline::SplineSpace;
-use symspline_dynamic::{AnyRational, AnyRationalSurface, AnySpace, AnySpline, AnySurface, Coords, Value};
+use symspline_dynamic::Value;
 
 const FORMAT: &str = "geomdl";
 
@@ -120,8 +118,8 @@ pub fn from_bytes(bytes: &[u8]) -> Result<Vec<Entry>> {
 /// The geomdl JSON text of curves, or of surfaces.
 ///
 /// # Errors
-/// [`Problem::NoRoom`] for functions, numbers, points and meshes, for curves and surfaces in one file, and for rational ones with
-/// points at infinity.
+/// [`Problem::NoRoom`] for functions, numbers, points and meshes, for degree 0, for curves and surfaces in one file, and for weights
+/// that are zero, negative or too small.
 pub fn to_bytes(entries: &[Entry]) -> Result<Vec<u8>> {
     let at = |i: usize, problem: Problem| problem.at(Place::Entry(format!("item {i}")));
     let mut kind = None;
@@ -147,93 +145,73 @@ fn needed<'a, T>(part: &'a Option<T>, name: &str) -> Read<&'a T> {
     part.as_ref().ok_or_else(|| Problem::Syntax(format!("\"{name}\" is missing")))
 }
 
-fn space(degree: &Option<Count>, knots: &Option<Vec<f64>>, suffix: &str) -> Read<SplineSpace<f64>> {
-    let degree = needed(degree, &format!("degree{suffix}"))?;
-    let knots = needed(knots, &format!("knotvector{suffix}"))?;
-    Ok(SplineSpace::new(degree.0, knots.iter().copied())?)
+fn along(degree: &Option<Count>, knots: &Option<Vec<f64>>, suffix: &str) -> Read<Along> {
+    let degree = needed(degree, &format!("degree{suffix}"))?.0;
+    let knots = needed(knots, &format!("knotvector{suffix}"))?.clone();
+    Ok(Along { degree, knots, periodic: false })
 }
 
 impl Data {
-    /// The dimension of the points, their coordinates, and the weights.
-    fn control(&self) -> Read<(usize, Coords, Option<Coords>)> {
+    /// The value of the control points over these parameters.
+    fn value(&self, along: Vec<Along>) -> Read<Value> {
         if let Some(kind) = self.kind.as_ref().filter(|kind| *kind != "spline") {
             return Err(Problem::Syntax(format!("shapes of type \"{kind}\" are not read")));
         }
         let Points { points, weights } = needed(&self.control_points, "control_points")?;
-        let (dim, coords) = points_of(points)?;
+        let dim = points.first().map_or(1, Vec::len);
+        if let Some(index) = points.iter().position(|point| point.len() != dim) {
+            return Err(symspline::Error::Ragged { index }.into());
+        }
         if let Some(found) = self.dimension.filter(|found| found.0 != dim) {
             return Err(Problem::Syntax(format!("\"dimension\" is {}, but points have {dim}", found.0)));
         }
         let ones = || vec![1.0; points.len()];
         let weights = weights.clone().or_else(|| (self.rational == Some(true)).then(ones));
-        Ok((dim, Coords::Float(coords), weights.map(Coords::Float)))
+        Nurbs { along, dim, coords: points.concat(), weights }.into_value()
     }
 
     fn curve(&self) -> Read<Value> {
-        let space = space(&self.degree, &self.knotvector, "")?.into();
-        Ok(match self.control()? {
-            (dim, points, Some(weights)) => AnyRational::new(space, dim, points, weights)?.into(),
-            (dim, points, None) => AnySpline::new(space, dim, points)?.into(),
-        })
+        self.value(vec![along(&self.degree, &self.knotvector, "")?])
     }
 
     fn surface(&self) -> Read<Value> {
         if self.trims.as_ref().is_some_and(|trims| !trims.data.is_empty()) {
             return Err(Problem::Syntax("trimmed surfaces are not read".into()));
         }
-        let u = space(&self.degree_u, &self.knotvector_u, "_u")?;
-        let v = space(&self.degree_v, &self.knotvector_v, "_v")?;
-        for (name, size, found) in [("u", self.size_u, u.dim()), ("v", self.size_v, v.dim())] {
+        let u = along(&self.degree_u, &self.knotvector_u, "_u")?;
+        let v = along(&self.degree_v, &self.knotvector_v, "_v")?;
+        for (name, size, found) in [("u", self.size_u, u.count()), ("v", self.size_v, v.count())] {
             if let Some(size) = size.filter(|size| size.0 != found) {
                 let text = format!("\"size_{name}\" is {}, but the knots are for {found}", size.0);
                 return Err(Problem::Syntax(text));
             }
         }
-        let (u, v) = (AnySpace::from(u), AnySpace::from(v));
-        Ok(match self.control()? {
-            (dim, points, Some(weights)) => AnyRationalSurface::new(u, v, dim, points, weights)?.into(),
-            (dim, points, None) => AnySurface::new(u, v, dim, points)?.into(),
-        })
+        self.value(vec![u, v])
     }
 
     /// The type of the shape and what is written of it.
     fn of(entry: &Entry) -> Read<(&'static str, Self)> {
-        let Rounded { spaces, dim, coords, is_rational } = rounded(&entry.value, FORMAT)?;
-        if dim < 2 {
-            return Err(Problem::NoRoom { format: FORMAT, value: entry.value.kind().into() });
-        }
-        let (points, weights) = match is_rational {
-            false => (coords, None),
-            true => {
-                let at_infinity = || Problem::NoRoom {
-                    format: FORMAT,
-                    value: format!("{} with points at infinity", entry.value.kind()),
-                };
-                let (points, weights) = Projected::floats(&coords, dim).ok_or_else(at_infinity)?;
-                (points, Some(weights))
-            }
-        };
-        let points = points.chunks(dim).map(<[f64]>::to_vec).collect();
+        let Nurbs { along, dim, coords, weights } = Nurbs::of(&entry.value, FORMAT)?;
         let data = Self {
             kind: Some("spline".into()),
             name: entry.name.clone(),
-            rational: Some(is_rational),
+            rational: Some(weights.is_some()),
             dimension: Some(Count(dim)),
-            control_points: Some(Points { points, weights }),
+            control_points: Some(Points {
+                points: coords.chunks(dim).map(<[f64]>::to_vec).collect(),
+                weights,
+            }),
             ..Self::default()
         };
-        let knots = |space: &SplineSpace<f64>| Some(space.knots().to_vec());
-        let degree = |space: &SplineSpace<f64>| Some(Count(space.degree()));
-        let size = |space: &SplineSpace<f64>| Some(Count(space.dim()));
-        Ok(match &spaces[..] {
-            [s] => ("curve", Self { degree: degree(s), knotvector: knots(s), ..data }),
-            [u, v] => {
-                let (degree_u, degree_v) = (degree(u), degree(v));
-                let (knotvector_u, knotvector_v) = (knots(u), knots(v));
-                let (size_u, size_v) = (size(u), size(v));
+        let mut told = along
+            .into_iter()
+            .map(|along| (Some(Count(along.degree)), Some(Count(along.count())), Some(along.knots)));
+        Ok(match (told.next(), told.next()) {
+            (Some((degree_u, size_u, knotvector_u)), Some((degree_v, size_v, knotvector_v))) => {
                 ("surface", Self { degree_u, degree_v, knotvector_u, knotvector_v, size_u, size_v, ..data })
             }
-            _ => unreachable!("a spline has one parameter or two"),
+            (Some((degree, _, knotvector)), None) => ("curve", Self { degree, knotvector, ..data }),
+            (None, _) => unreachable!("a spline has a parameter"),
         })
     }
 }

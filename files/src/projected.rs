@@ -26,16 +26,6 @@ impl Projected {
             Over::Exact(all) => fractions(all, dim),
         }
     }
-
-    /// The coordinates of the points and the weights, over floats; none as in [`of`](Self::of).
-    pub(crate) fn floats(weighted: &[f64], dim: usize) -> Option<(Vec<f64>, Vec<f64>)> {
-        match floats(weighted, dim)? {
-            Self { points: Over::Float(points), weights: Over::Float(weights), .. } => {
-                Some((points, weights))
-            }
-            _ => unreachable!("floats give floats"),
-        }
-    }
 }
 
 fn floats(all: &[f64], dim: usize) -> Option<Projected> {

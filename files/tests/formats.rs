@@ -41,6 +41,17 @@ fn values(value: &Value, steps: u32) -> Vec<Vec<f64>> {
     all.chunks(value.dim()).map(<[f64]>::to_vec).collect()
 }
 
+/// How far a point of the plane is from a polyline.
+fn distance(p: &[f64], corners: &[Vec<f64>]) -> f64 {
+    let to = |pair: &[Vec<f64>]| {
+        let [x, y] = [0, 1].map(|k| pair[1][k] - pair[0][k]);
+        let [a, b] = [0, 1].map(|k| p[k] - pair[0][k]);
+        let t = ((a * x + b * y) / (x * x + y * y)).clamp(0.0, 1.0);
+        (a - t * x).hypot(b - t * y)
+    };
+    corners.windows(2).map(to).fold(f64::INFINITY, f64::min)
+}
+
 fn points(value: &Value) -> Vec<f64> {
     let Value::Spline(s) = value else { panic!("{value}") };
     let Coords::Float(all) = s.coords().unwrap() else { panic!() };
@@ -109,6 +120,17 @@ fn drawings_that_cannot_be_read_say_where() {
     assert!(matches!(*wrong("<html/>", Format::Svg).problem, Problem::Syntax(_)));
 }
 
+/// What is used again costs as often: a file of a megabyte must not make gigabytes.
+#[test]
+fn long_elements_are_not_drawn_without_end() {
+    let note = "x".repeat(1 << 16);
+    let uses = |count: usize| {
+        svg(&format!("<path id='a' class='{note}' d='M0 0L1 1'/>{}", "<use href='#a'/>".repeat(count)))
+    };
+    assert_eq!(from_bytes(uses(9).as_bytes(), Format::Svg).unwrap().len(), 10);
+    assert!(wrong(&uses(600), Format::Svg).to_string().contains("drawn more often than is read"));
+}
+
 #[test]
 fn circles_are_written_as_cubics_near_them() {
     let circle = symspline::circle(&nalgebra::vector![0.0, 0.0], &100.0).unwrap();
@@ -123,8 +145,11 @@ fn circles_are_written_as_cubics_near_them() {
     let quintic =
         AnySpline::new(space.into(), 2, Over::Float(vec![0., 0., 1., 3., 2., -2., 3., 5., 4., 1., 6., 0.]))
             .unwrap();
-    let near = from_bytes(&to_bytes(&[quintic.into()], Format::Svg).unwrap(), Format::Svg).unwrap();
-    assert_eq!(values(&near[0].value, 1)[1], [6.0, 0.0]);
+    let text = to_bytes(&[quintic.clone().into()], Format::Svg).unwrap();
+    let near = values(&from_bytes(&text, Format::Svg).unwrap()[0].value, 20_000);
+    assert_eq!(near[20_000], [6.0, 0.0]);
+    let worst = values(&quintic.into(), 100).iter().map(|p| distance(p, &near)).fold(0.0, f64::max);
+    assert!(worst < 7.0 * symspline_files::svg::TOLERANCE, "{worst}");
     let space = SplineSpace::clamped(3, [0.0, 1.0, 2.0]).unwrap();
     let cubic = Value::from(
         AnySpline::new(space.into(), 2, Over::Float(vec![0., 0., 1., 3., 2., -2., 3., 5., 4., 1.])).unwrap(),
@@ -179,6 +204,28 @@ fn weights_in_obj_stand_beside_the_points() {
     let bezier =
         "vp 0 0\nvp 1 2\nvp 2 0\nvp 3 -2\nvp 4 0\ncstype bezier\ndeg 2\ncurv2 1 2 3 4 5\nparm u 0 1 3\nend\n";
     assert_eq!(values(&one(bezier, Format::Obj), 3), [[0.0, 0.0], [2.0, 0.0], [3.0, -1.0], [4.0, 0.0]]);
+}
+
+/// geomdl leaves weights out, or writes ones; what is called rational is.
+#[test]
+fn rational_shapes_of_geomdl_have_weights_of_one_unless_told() {
+    let text = r#"{"shape": {"type": "curve", "data": [{"rational": true, "degree": 1, "knotvector": [0, 0, 1, 1],
+        "control_points": {"points": [[1, 2], [3, 4]]}}]}}"#;
+    let Value::Rational(line) = one(text, Format::Geomdl) else { panic!() };
+    assert_eq!(line.weights(), Some(Over::Float(vec![1.0, 1.0])));
+    assert!(matches!(one(&text.replace("true", "false"), Format::Geomdl), Value::Spline(_)));
+    for (old, new, told) in [
+        ("\"curve\"", "\"surface\"", "shape 0: \"degree_u\" is missing"),
+        ("\"curve\"", "\"volume\"", "shapes of type \"volume\" are not read"),
+        ("\"data\"", "\"count\": 2, \"data\"", "\"count\" is 2, but there are 1 shapes"),
+        ("\"degree\"", "\"dimension\": 3, \"degree\"", "shape 0: \"dimension\" is 3, but points have 2"),
+        ("[1, 2]", "[1, 2, 3]", "shape 0: "),
+        ("[0, 0, 1, 1]", "[0, 0, 1]", "shape 0: "),
+        ("\"degree\": 1", "\"degree\": 99999999", "shape 0: "),
+    ] {
+        let error = wrong(&text.replace(old, new), Format::Geomdl).to_string();
+        assert!(error.contains(told), "{error} does not tell {told}");
+    }
 }
 
 #[test]

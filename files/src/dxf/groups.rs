@@ -69,7 +69,8 @@ impl<'a> Groups<'a> {
     pub(super) fn next(&mut self) -> Result<Option<Group<'a>>> {
         let Some(code) = self.next_line() else { return Ok(None) };
         let text = String::from_utf8_lossy(code);
-        let Ok(code) = text.trim().parse() else {
+        // Codes have 16 bits.
+        let Ok(code) = text.trim().parse::<i16>().map(i32::from) else {
             let text = real::shown(text.trim());
             return Err(Problem::Syntax(format!("'{text}' is not a group code")).at_line(self.line));
         };

@@ -11,7 +11,8 @@
 //!   unit of the parameter an edge. They are plane at elevation 0 with the z axis for a normal.
 //!
 //! Values are written as SPLINE entities of a drawing of 2007 (AC1021), in UTF-8, their names as extended data of the application
-//! `SYMSPLINE`. Surfaces, functions and meshes have no room.
+//! `SYMSPLINE`. Fractions are rounded to the nearest floats; all else comes back bit by bit. Surfaces, functions and meshes have no room.
+//! Refused are binary files, names with line breaks or of more than 255 bytes, and curves of degree 0.
 //!
 //! The crate `dxf` writes numbers with fewer digits than they have and tells no line of what is wrong; so the pairs are read here.
 

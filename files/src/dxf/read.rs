@@ -9,6 +9,9 @@ use crate::nurbs::real;
 /// The kinds that are curves.
 const CURVES: [&str; 6] = ["SPLINE", "LINE", "ARC", "CIRCLE", "ELLIPSE", "LWPOLYLINE"];
 
+/// The longest name of a block, in bytes: all curves in it have it. The format has 255 letters, each of 7 bytes at most.
+const LONGEST_BLOCK: usize = 255 * 7;
+
 /// The curves of a DXF file, in the order of the file.
 ///
 /// # Errors
@@ -27,7 +30,7 @@ pub fn from_bytes(bytes: &[u8]) -> Result<Vec<Entry>> {
             }
             // A comment.
             999 => {}
-            _ => drawing.add(group),
+            _ => drawing.add(group)?,
         }
     }
     Err(cut_off(groups.line(), "its end mark, EOF"))
@@ -90,17 +93,22 @@ impl<'a> Drawing<'a> {
         Ok(())
     }
 
-    fn add(&mut self, group: Group<'a>) {
+    fn add(&mut self, group: Group<'a>) -> Result<()> {
         match (&mut self.open, group.code) {
             (Open::Curve(entity), _) => entity.groups.push(group),
             (Open::Section, 2) => {
-                (self.section, self.open) = (Some(group.value.trim().to_owned()), Open::Nothing)
+                (self.section, self.open) = (Some(group.value.trim().to_owned()), Open::Nothing);
+            }
+            (Open::Block, 2) if group.value.len() > LONGEST_BLOCK => {
+                let wrong = format!("a block has a name of {} bytes", group.value.len());
+                return Err(Problem::Syntax(wrong).at_line(group.line));
             }
             (Open::Block, 2) => {
-                (self.block, self.open) = (Some(group.value.trim().to_owned()), Open::Nothing)
+                (self.block, self.open) = (Some(group.value.trim().to_owned()), Open::Nothing);
             }
             _ => {}
         }
+        Ok(())
     }
 
     fn ended(self, line: usize) -> Result<Vec<Entry>> {

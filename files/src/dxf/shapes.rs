@@ -49,7 +49,7 @@ impl Frame {
 impl Entity<'_> {
     /// The curve of a LINE.
     pub(super) fn line(&self) -> Result<Value> {
-        let end = |code| Ok(self.vector(code)?.ok_or_else(|| self.wrong("an end is missing"))?);
+        let end = |code| self.vector(code)?.ok_or_else(|| self.wrong("an end is missing"));
         let (a, b): (Vector3<f64>, Vector3<f64>) = (end(10)?, end(11)?);
         segment(a, b).map_err(|error| self.failed(error))
     }

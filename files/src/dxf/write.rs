@@ -19,7 +19,7 @@ const FIRST_HANDLE: usize = 0x100;
 /// The DXF file with these curves as SPLINE entities.
 ///
 /// # Errors
-/// [`Problem::NoRoom`] for what is no curve, for fractions that are no floats, and for names with line breaks or beyond 255 bytes;
+/// [`Problem::NoRoom`] for what is no curve, for weights that are not positive, and for names with line breaks or beyond 255 bytes;
 /// [`Problem::Value`].
 pub fn to_bytes(entries: &[Entry]) -> Result<Vec<u8>> {
     let mut file = Pairs::default();
@@ -40,6 +40,9 @@ pub fn to_bytes(entries: &[Entry]) -> Result<Vec<u8>> {
     file.put(0, "EOF");
     Ok(file.text.into_bytes())
 }
+
+/// A record of a table: its kind, its class, its handle, and the pairs after those.
+type Record<'a> = (&'a str, &'a str, &'a str, &'a [(i32, &'a str)]);
 
 #[derive(Default)]
 struct Pairs {
@@ -110,7 +113,7 @@ impl Pairs {
         self.put(0, "ENDSEC");
     }
 
-    fn table(&mut self, name: &str, handle: &str, records: &[(&str, &str, &str, &[(i32, &str)])]) {
+    fn table(&mut self, name: &str, handle: &str, records: &[Record<'_>]) {
         self.all(&[(0, "TABLE"), (2, name), (5, handle), (330, "0"), (100, "AcDbSymbolTable")]);
         self.put(70, records.len());
         if name == "DIMSTYLE" {

@@ -8,6 +8,9 @@
 //! A curve is plane if it is called so with the z axis for a normal, all z are 0, and no matrix moves it. A spline is periodic if it
 //! is called closed or periodic and its numbers are, to the last bit. It is polynomial if it is called so (PROP3); then its weights must be equal.
 //!
+//! What is written: the same entities, in records of 80 columns, with names as properties. Fractions are rounded to the nearest floats;
+//! all else comes back bit by bit. Surfaces in the plane, functions and meshes have no room, nor have names with letters beyond ASCII.
+//!
 //! Compressed and binary files are refused.
 
 mod records;

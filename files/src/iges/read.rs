@@ -8,13 +8,15 @@ use crate::iges::records::{PARAMETERS, Record, Sections};
 use crate::iges::splines::Told;
 use crate::nurbs::Nurbs;
 use nalgebra::{Matrix3, Vector3};
-use symspline::Direction;
-use symspline_dynamic::{Over, Value};
+use std::collections::HashMap;
 
 type Read<T> = std::result::Result<T, Problem>;
 
 /// How many matrices may refer to each other.
 const DEEPEST: usize = 16;
+
+/// How many letters of names that are used again are read beyond those of the file.
+const MOST_LETTERS: usize = 1 << 24;
 
 /// The use flag of curves in the parameters of a surface.
 const IN_PARAMETERS: &[u8] = b"05";
@@ -29,11 +31,12 @@ pub fn from_bytes(bytes: &[u8]) -> Result<Vec<Entry>> {
     let by = Delimiters::of(&sections.global())
         .map_err(|problem| problem.at(Place::Entry("global section".into())))?;
     let directory = sections.directory().chunks(2).map(Item::of).collect::<Result<Vec<_>>>()?;
-    let file = File { sections, by, directory };
+    let mut file =
+        File { sections, by, directory, matrices: HashMap::new(), names: HashMap::new(), letters: 0 };
     let mut entries = Vec::new();
-    for (i, item) in file.directory.iter().enumerate() {
-        if !item.in_parameters {
-            entries.extend(file.entry(i).map_err(|problem| item.failed(i, problem))?);
+    for i in 0..file.directory.len() {
+        if !file.directory[i].in_parameters {
+            entries.extend(file.entry(i).map_err(|problem| file.directory[i].failed(i, problem))?);
         }
     }
     Ok(entries)
@@ -75,16 +78,25 @@ impl Item {
     }
 }
 
+/// The linear part and the shift of a matrix.
+type Motion = (Matrix3<f64>, Vector3<f64>);
+
 struct File<'a> {
     sections: Sections<'a>,
     by: Delimiters,
     directory: Vec<Item>,
+    /// What was read: many entities may refer to one matrix or name.
+    matrices: HashMap<i64, Motion>,
+    names: HashMap<usize, Option<String>>,
+    /// How many letters the names have that were given so far.
+    letters: usize,
 }
 
 impl File<'_> {
     /// What an entry of the directory is, if it is a curve or surface.
-    fn entry(&self, i: usize) -> Read<Option<Entry>> {
+    fn entry(&mut self, i: usize) -> Read<Option<Entry>> {
         let item = &self.directory[i];
+        let matrix = item.matrix;
         let told: fn(&Parameters) -> Read<Told> = match item.kind {
             kinds::ARC => Parameters::arc,
             kinds::LINE => Parameters::line,
@@ -94,18 +106,11 @@ impl File<'_> {
         };
         let parameters = self.parameters(i)?;
         let Told { mut nurbs, ends, length } = told(&parameters)?;
-        if item.matrix != 0 {
-            let (turn, shift) = self.matrix(item.matrix, 0)?;
+        if matrix != 0 {
+            let (turn, shift) = self.matrix(matrix, 0)?;
             nurbs.move_by(&turn, &shift);
         }
-        let domains = (ends.len() == nurbs.along.len())
-            .then(|| nurbs.along.iter().map(|along| along.domain()).collect::<Vec<_>>());
-        let mut value = nurbs.into_value()?;
-        for (direction, (part, whole)) in ends.iter().zip(domains.iter().flatten()).enumerate() {
-            if part != whole {
-                value = restricted(&value, direction, *part)?;
-            }
-        }
+        let value = nurbs.into_part(&ends)?;
         Ok(Some(Entry { name: self.name(&parameters, length)?, value }))
     }
 
@@ -148,8 +153,11 @@ impl File<'_> {
         }
     }
 
-    /// The linear part and the shift of a matrix, and of those that it refers to.
-    fn matrix(&self, pointer: i64, depth: usize) -> Read<(Matrix3<f64>, Vector3<f64>)> {
+    /// The motion of a matrix, and of those that it refers to.
+    fn matrix(&mut self, pointer: i64, depth: usize) -> Read<Motion> {
+        if let Some(found) = self.matrices.get(&pointer) {
+            return Ok(*found);
+        }
         if depth == DEEPEST {
             return wrong(format!("more than {DEEPEST} matrices refer to each other, or in a circle"));
         }
@@ -157,17 +165,19 @@ impl File<'_> {
         let rows = self.parameters(index)?.reals(1, 12)?;
         let turn = Matrix3::from_fn(|i, j| rows[4 * i + j]);
         let shift = Vector3::from_fn(|i, _| rows[4 * i + 3]);
-        match self.directory[index].matrix {
-            0 => Ok((turn, shift)),
+        let found = match self.directory[index].matrix {
+            0 => (turn, shift),
             next => {
                 let (outer, far) = self.matrix(next, depth + 1)?;
-                Ok((outer * turn, outer * shift + far))
+                (outer * turn, outer * shift + far)
             }
-        }
+        };
+        self.matrices.insert(pointer, found);
+        Ok(found)
     }
 
     /// The name among the properties: after those of the entity there are pointers to associations, and then to properties.
-    fn name(&self, parameters: &Parameters, length: usize) -> Read<Option<String>> {
+    fn name(&mut self, parameters: &Parameters, length: usize) -> Read<Option<String>> {
         let Ok(associations) = usize::try_from(parameters.whole(length)?) else { return Ok(None) };
         let at = length.saturating_add(associations).saturating_add(1);
         let count = if at < parameters.len() { parameters.whole(at)? } else { 0 };
@@ -175,10 +185,26 @@ impl File<'_> {
             let pointer = parameters.whole(i)?;
             let Ok(index) = self.pointed(pointer, kinds::PROPERTY) else { continue };
             if self.directory[index].form == kinds::NAME {
-                return Ok(self.parameters(index)?.text(2));
+                return self.named(index);
             }
         }
         Ok(None)
+    }
+}
+
+impl File<'_> {
+    /// The name that a property tells.
+    fn named(&mut self, index: usize) -> Read<Option<String>> {
+        if !self.names.contains_key(&index) {
+            let name = self.parameters(index)?.text(2);
+            self.names.insert(index, name);
+        }
+        let name = self.names[&index].clone();
+        self.letters += name.as_ref().map_or(0, String::len);
+        match self.letters > MOST_LETTERS + self.sections.parameters().len() * PARAMETERS {
+            true => wrong("the names of the file are too long for so many entities"),
+            false => Ok(name),
+        }
     }
 }
 
@@ -189,17 +215,4 @@ impl Nurbs {
         self.coords = self.points().flat_map(|point| moved(point).data.0[0]).collect();
         self.dim = 3;
     }
-}
-
-/// The part of a curve or surface between two parameters.
-fn restricted(value: &Value, direction: usize, [a, b]: [f64; 2]) -> Read<Value> {
-    let (a, b) = (Over::Float(a), Over::Float(b));
-    let direction = if direction == 0 { Direction::U } else { Direction::V };
-    Ok(match value {
-        Value::Spline(s) => s.restricted(&a, &b)?.into(),
-        Value::Rational(s) => s.restricted(&a, &b)?.into(),
-        Value::Surface(s) => s.restricted(direction, &a, &b)?.into(),
-        Value::RationalSurface(s) => s.restricted(direction, &a, &b)?.into(),
-        other => return wrong(format!("{other} has no part")),
-    })
 }

@@ -3,7 +3,7 @@
 use crate::error::Problem;
 use crate::iges::parameters::{Parameters, wrong};
 use crate::nurbs::shapes::{placed, segment};
-use crate::nurbs::{Along, Nurbs};
+use crate::nurbs::{Along, Nurbs, by_columns};
 use nalgebra::{Vector2, Vector3};
 use symspline::Error;
 use symspline_dynamic::{AnyRational, Value};
@@ -53,8 +53,7 @@ impl Parameters {
         };
         let (weights, points) = (self.reals(at, count)?, self.reals(at + count, 3 * count)?);
         let at = at + 4 * count;
-        // In the file the index of u runs first.
-        let order = || (0..rows).flat_map(|i| (0..columns).map(move |j| j * rows + i));
+        let order = || by_columns(columns, rows);
         let along = |degree, knots, direction: usize| Along {
             degree,
             knots,

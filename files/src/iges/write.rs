@@ -5,7 +5,7 @@ use crate::error::{Place, Problem, Result};
 use crate::iges::kinds;
 use crate::iges::records::{DATA, PARAMETERS};
 use crate::nurbs::real::written;
-use crate::nurbs::{Along, Nurbs};
+use crate::nurbs::{Along, Nurbs, by_columns};
 
 /// The most records of a section: their numbers have seven digits.
 const MOST: usize = 9_999_999;
@@ -13,17 +13,14 @@ const MOST: usize = 9_999_999;
 /// The IGES file with these curves and surfaces.
 ///
 /// # Errors
-/// [`Problem::NoRoom`] for what is no curve or surface, for functions of two parameters and plane surfaces, for fractions that are no floats, for names
+/// [`Problem::NoRoom`] for what is no curve or surface, for functions and plane surfaces, for weights that are not positive, for names
 /// with other letters than those of ASCII, and for more than 9999999 records; [`Problem::Value`].
 pub fn to_bytes(entries: &[Entry]) -> Result<Vec<u8>> {
     let mut file = Draft::default();
     for (i, entry) in entries.iter().enumerate() {
-        let put = || {
-            let told = Nurbs::of(&entry.value, "IGES")?;
-            file.spline(&told, entry.name.as_deref(), entry.value.kind())
-        };
-        let mut put = put;
-        put().map_err(|problem| problem.at(Place::Entry(format!("item {i}"))))?;
+        let told = Nurbs::of(&entry.value, "IGES");
+        let put = told.and_then(|told| file.spline(&told, entry.name.as_deref(), entry.value.kind()));
+        put.map_err(|problem| problem.at(Place::Entry(format!("item {i}"))))?;
     }
     file.finished()
 }
@@ -70,9 +67,8 @@ impl Draft {
         items.push(flag(told.weights.is_none()));
         items.extend(all(&|along| vec![flag(along.periodic)]));
         items.extend(all(&|along| along.knots.iter().copied().map(real).collect()));
-        // In the file the index of u runs first.
         let (rows, columns) = (told.along[0].count(), told.along.get(1).map_or(1, Along::count));
-        let order = || (0..columns).flat_map(|j| (0..rows).map(move |i| i * columns + j));
+        let order = || by_columns(rows, columns);
         items.extend(order().map(|i| real(told.weights.as_ref().map_or(1.0, |weights| weights[i]))));
         let points: Vec<&[f64]> = told.points().collect();
         items.extend(order().flat_map(|i| Nurbs::in_space(points[i])).map(real));

@@ -5,6 +5,21 @@
 //!   {"name": "C", "value": {"spline": {"field": "exact", "space": {"degree": 1, "knots": ["0", "0", "1/3", "1/3"]},
 //!                                      "points": [["0", "0"], ["1", "2"]]}}}]}
 //! ```
+//! An item is a value, by its kind, and its name, if it has one:
+//!
+//! ```text
+//! {"number": 0.5}                                                  or a fraction: {"number": "1/3"}
+//! {"point": {"field": F, "coordinates": [x, ...]}}
+//! {"spline": {"field": F, "space": S, "points": [P, ...]}}         the coefficients, one of each dimension of the space
+//! {"rational": {"field": F, "space": S, "points": [P, ...], "weights": [w, ...]}}
+//! {"surface": {"field": F, "u": S, "v": S, "points": [P, ...]}}    and "rational_surface", with weights
+//! {"mesh": {"field": F, "points": [P, ...], "faces": [[i, j, k, ...], ...]}}      corners counted from 0
+//! ```
+//! Here `F` is `"exact"` or `"float"`, `P` is `[x]`, `[x, y]` or `[x, y, z]`, and `S` is `{"degree": p, "knots": [t, ...]}` with all
+//! knots, or for a periodic space `{"degree": p, "knots": [t, ...], "end": t}`. Instead of points and weights a rational spline may have
+//! `"weighted": [[w x, w y, w], ...]`: so it is written if a weight is zero or negative, or if no points give these products to the last bit.
+//! What is not told here is refused.
+//!
 //! The schema is `files/symspline.schema.json`. A field is `"exact"`, with numbers as text `p`, `p/q` or a decimal, or as whole
 //! numbers; or `"float"`, with numbers. The knots of a periodic space run once round, the seam at the start only, and `end` is where
 //! it comes again. Points of functions have one coordinate. Points of surfaces stand row by row, each row of one `u`.

@@ -1,25 +1,27 @@
-//! Values as CAD files tell them.
+//! Values as files of floats tell them.
 
 use crate::error::Problem;
 use crate::nurbs::{Along, Nurbs};
-use symspline::{Q, SplineSpace};
+use crate::projected::Projected;
+use symspline::SplineSpace;
 use symspline_dynamic::{Any, AnySpace, Coords, Family, Over, Value};
 
 type Told<T> = Result<T, Problem>;
 
 impl Nurbs {
-    /// What a format tells of a value.
+    /// What a format tells of a value: fractions are rounded to the nearest floats.
     ///
     /// # Errors
-    /// [`Problem::NoRoom`] for values that are no curves and surfaces, for fractions that are no floats, and for degree 0, which CAD
-    /// formats do not have; [`Problem::Value`] for a rational spline with a weight that is not positive, which has no control point.
+    /// [`Problem::NoRoom`] for values that are no curves and surfaces in the plane or space, for degree 0, which formats do not
+    /// have, and for rational ones with a weight that is not positive, or so small that the point is beyond floats; [`Problem::Value`]
+    /// where rounding makes knots fall together.
     pub(crate) fn of(value: &Value, format: &'static str) -> Told<Self> {
         let told = match value {
-            Value::Spline(s) => Self::unrolled(s, format),
-            Value::Surface(s) => Self::unrolled(s, format),
-            Value::Rational(s) => Self::unrolled(s, format),
-            Value::RationalSurface(s) => Self::unrolled(s, format),
-            other => Err(Problem::NoRoom { format, value: other.to_string() }),
+            Value::Spline(s) => Self::unrolled(s, None, format),
+            Value::Surface(s) => Self::unrolled(s, None, format),
+            Value::Rational(s) => Self::unrolled(s, Some(s.homogeneous()), format),
+            Value::RationalSurface(s) => Self::unrolled(s, Some(s.homogeneous()), format),
+            other => Err(Problem::NoRoom { format, value: other.kind().to_owned() }),
         }?;
         match told.along.iter().any(|along| along.degree == 0) {
             true => Err(Problem::NoRoom { format, value: format!("{} of degree 0", value.kind()) }),
@@ -27,15 +29,28 @@ impl Nurbs {
         }
     }
 
-    fn unrolled<F: Family>(s: &Any<F>, format: &'static str) -> Told<Self> {
-        if s.dim() < 2 {
-            return Err(Problem::NoRoom { format, value: s.kind().to_owned() });
+    fn unrolled<F: Family>(s: &Any<F>, weighted: Option<Coords>, format: &'static str) -> Told<Self> {
+        let (dim, kind) = (s.dim(), s.kind());
+        if dim < 2 {
+            return Err(Problem::NoRoom { format, value: kind.to_owned() });
         }
-        let spaces =
-            s.spaces().iter().map(|space| floats_of_space(space, format)).collect::<Told<Vec<_>>>()?;
-        let points = floats(&s.coords()?, format)?;
-        let weights = s.weights().map(|weights| floats(&weights, format)).transpose()?;
-        let dim = s.dim();
+        let spaces = s.spaces().iter().map(floats_of_space).collect::<Told<Vec<_>>>()?;
+        let (points, weights) = match weighted {
+            None => (floats(&s.coords()?)?, None),
+            Some(weighted) => {
+                let far = || Problem::NoRoom {
+                    format,
+                    value: format!("{kind} with a weight that is zero, negative or too small"),
+                };
+                let found = Projected::of(&weighted, dim).ok_or_else(far)?;
+                let weights = floats(&found.weights)?;
+                // The nearest float of a tiny fraction is zero.
+                if weights.contains(&0.0) {
+                    return Err(far());
+                }
+                (floats(&found.points)?, Some(weights))
+            }
+        };
         Ok(Self {
             coords: wrapped(&points, dim, &spaces),
             weights: weights.map(|weights| wrapped(&weights, 1, &spaces)),
@@ -47,17 +62,25 @@ impl Nurbs {
 
 impl Along {
     fn of(space: &SplineSpace<f64>) -> Self {
+        let knots = space.knots().as_slice();
         Self {
             degree: space.degree(),
-            knots: space.knots().as_slice().to_vec(),
+            knots: knots[..knots.len() - unused(space)].to_vec(),
             periodic: space.is_periodic(),
         }
     }
 }
 
+/// How many of the last unrolled knots, and control points, count nowhere in the domain: one for each further copy of the seam.
+fn unused(space: &SplineSpace<f64>) -> usize {
+    let start = space.domain().0;
+    let copies = || space.knots().iter().filter(|t| *t == start).count();
+    if space.is_periodic() { copies() - 1 } else { 0 }
+}
+
 /// Each thing of `size` numbers where the unrolled knots need it: those of periodic spaces come again.
 fn wrapped(numbers: &[f64], size: usize, spaces: &[SplineSpace<f64>]) -> Vec<f64> {
-    let unrolled = |space: &SplineSpace<f64>| space.knots().len() - space.degree() - 1;
+    let unrolled = |space: &SplineSpace<f64>| space.knots().len() - space.degree() - 1 - unused(space);
     let inner: usize = spaces[1..].iter().map(SplineSpace::dim).product();
     let things = numbers.chunks_exact(size * inner).collect::<Vec<_>>();
     let picked = (0..unrolled(&spaces[0])).map(|i| things[spaces[0].slot(i)]);
@@ -67,67 +90,61 @@ fn wrapped(numbers: &[f64], size: usize, spaces: &[SplineSpace<f64>]) -> Vec<f64
     }
 }
 
-fn floats(coords: &Coords, format: &'static str) -> Told<Vec<f64>> {
-    match coords {
-        // The quotient by a tiny weight may be too large.
-        Over::Float(all) => match all.iter().position(|x| !x.is_finite()) {
-            Some(index) => Err(symspline::Error::NotFinite { what: "control point", index }.into()),
-            None => Ok(all.clone()),
-        },
-        Over::Exact(all) => all.iter().map(|x| float(x, format)).collect(),
+fn floats(coords: &Coords) -> Told<Vec<f64>> {
+    match coords.to_float()? {
+        Over::Float(all) => Ok(all),
+        Over::Exact(_) => unreachable!("they were rounded to floats"),
     }
 }
 
-fn floats_of_space(space: &AnySpace, format: &'static str) -> Told<SplineSpace<f64>> {
-    match space {
-        Over::Float(space) => Ok(space.clone()),
-        Over::Exact(exact) => {
-            let knots = exact.knots().iter().map(|t| float(t, format)).collect::<Told<Vec<f64>>>()?;
-            let rounded = exact.map_scalars(|t| Ok(t.to_f64()))?;
-            // Of a periodic space those beyond the domain are rounded sums.
-            match rounded.knots().as_slice() == knots {
-                true => Ok(rounded),
-                false => {
-                    Err(Problem::NoRoom { format, value: "period that is no float, exactly".to_owned() })
-                }
-            }
-        }
-    }
-}
-
-/// The float that a fraction is.
-fn float(x: &Q, format: &'static str) -> Told<f64> {
-    let near = x.to_f64();
-    match Q::try_from(near).is_ok_and(|back| back == *x) {
-        true => Ok(near),
-        false => Err(Problem::NoRoom {
-            format,
-            value: format!("exact number {x}: it is no float; convert the value with `to_float`"),
-        }),
+fn floats_of_space(space: &AnySpace) -> Told<SplineSpace<f64>> {
+    match space.to_float()? {
+        Over::Float(space) => Ok(space),
+        Over::Exact(_) => unreachable!("it was rounded to floats"),
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use symspline::Scalar;
+    use symspline::{Q, Scalar};
     use symspline_dynamic::{AnyRational, AnySpline, AnySurface};
 
     const NAME: &str = "X";
 
-    fn line(points: [[Q; 2]; 2]) -> Value {
-        let space = SplineSpace::bezier(1, Q::int(0), Q::int(1)).unwrap();
-        AnySpline::new(space.into(), 2, Over::Exact(points.into_iter().flatten().collect())).unwrap().into()
+    #[test]
+    fn fractions_are_told_by_the_nearest_floats() {
+        let line = SplineSpace::bezier(1, Q::int(0), Q::frac(1, 10)).unwrap();
+        let coords = [Q::int(0), Q::frac(1, 3), Q::int(3), Q::frac(-7, 8)].to_vec();
+        let told =
+            Nurbs::of(&AnySpline::new(line.into(), 2, Over::Exact(coords)).unwrap().into(), NAME).unwrap();
+        assert_eq!((told.dim, told.coords), (2, vec![0.0, 1.0 / 3.0, 3.0, -0.875]));
+        assert_eq!(told.along[0].knots, [0.0, 0.0, 0.1, 0.1]);
+        let close = SplineSpace::new(
+            1,
+            ["0", "0", "1", "1", "1.00000000000000000001", "2", "2"].map(|t| t.parse::<Q>().unwrap()),
+        );
+        let curve = AnySpline::new(close.unwrap().into(), 2, Over::Exact(vec![Q::int(0); 10])).unwrap();
+        assert!(matches!(Nurbs::of(&curve.into(), NAME), Err(Problem::Value(_))));
     }
 
+    /// Of fractions the points themselves are rounded, not products with weights; and a weight must be a float that is positive.
     #[test]
-    fn fractions_are_told_if_they_are_floats() {
-        let told = Nurbs::of(&line([[Q::int(0), Q::frac(1, 8)], [Q::int(3), Q::int(-4)]]), NAME).unwrap();
-        assert_eq!((told.dim, told.coords), (2, vec![0.0, 0.125, 3.0, -4.0]));
-        let refused =
-            Nurbs::of(&line([[Q::int(0), Q::frac(1, 3)], [Q::int(3), Q::int(-4)]]), NAME).unwrap_err();
-        let text = "X files hold no exact number 1/3: it is no float; convert the value with `to_float`";
-        assert_eq!(refused.to_string(), text);
+    fn weights_and_points_stand_apart() {
+        let space = || AnySpace::from(SplineSpace::bezier(1, Q::int(0), Q::int(1)).unwrap());
+        let points = Over::Exact([1, 2, 3, 4].map(|n| Q::frac(n, 7)).to_vec());
+        let weights = |tiny: Q| Over::Exact(vec![Q::frac(3, 11), tiny]);
+        let told = |tiny| {
+            Nurbs::of(&AnyRational::new(space(), 2, points.clone(), weights(tiny)).unwrap().into(), NAME)
+        };
+        let near = told(Q::frac(1, 13)).unwrap();
+        assert_eq!(near.coords, [1.0 / 7.0, 2.0 / 7.0, 3.0 / 7.0, 4.0 / 7.0]);
+        assert_eq!(near.weights, Some(vec![3.0 / 11.0, 1.0 / 13.0]));
+        let tiny = format!("1/1{}", "0".repeat(400)).parse().unwrap();
+        assert_eq!(
+            told(tiny).unwrap_err().to_string(),
+            "X files hold no rational curve with a weight that is zero, negative or too small"
+        );
     }
 
     #[test]
@@ -136,7 +153,7 @@ mod tests {
         let function = AnySpline::new(space(), 1, Over::Float(vec![0.0, 1.0])).unwrap();
         let refused = |value: Value| Nurbs::of(&value, NAME).unwrap_err().to_string();
         assert_eq!(refused(function.into()), "X files hold no function");
-        assert_eq!(refused(Over::Float(1.0).into()), "X files hold no float number 1");
+        assert_eq!(refused(Over::Float(1.0).into()), "X files hold no number");
         let constant = SplineSpace::new(0, [0.0, 1.0]).unwrap().into();
         let step = AnySpline::new(constant, 2, Over::Float(vec![0.0, 1.0])).unwrap();
         assert_eq!(refused(step.into()), "X files hold no curve of degree 0");

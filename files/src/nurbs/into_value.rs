@@ -1,9 +1,11 @@
-//! Values from what CAD files tell.
+//! Values from what files of floats tell.
 
 use crate::error::Problem;
 use crate::nurbs::{Along, Nurbs};
-use symspline::SplineSpace;
-use symspline_dynamic::{AnyRational, AnyRationalSurface, AnySpace, AnySpline, AnySurface, Over, Value};
+use symspline::{Direction, SplineSpace};
+use symspline_dynamic::{
+    AnyRational, AnyRationalSurface, AnySpace, AnySpline, AnySurface, Number, Over, Value,
+};
 
 impl Nurbs {
     /// The value that was told.
@@ -27,6 +29,21 @@ impl Nurbs {
         })
     }
 
+    /// The part of that value between two ends in each direction; all of it if there are none.
+    ///
+    /// # Errors
+    /// Those of the library, also for ends that are not in the domain.
+    pub(crate) fn into_part(self, ends: &[[f64; 2]]) -> Result<Value, Problem> {
+        let along = self.along.clone();
+        let mut value = self.into_value()?;
+        for ((along, part), direction) in along.iter().zip(ends).zip([Direction::U, Direction::V]) {
+            if *part != along.domain() {
+                value = restricted(&value, direction, part.map(Over::Float))?;
+            }
+        }
+        Ok(value)
+    }
+
     /// Makes the space of a direction periodic if it is called so, and if knots and control points come again to the last bit.
     fn close(&mut self, spaces: &mut [SplineSpace<f64>], direction: usize) {
         let Some(ring) = self.along[direction].periodic.then(|| ring(&spaces[direction])).flatten() else {
@@ -45,14 +62,27 @@ impl Nurbs {
     }
 }
 
+fn restricted(value: &Value, direction: Direction, [a, b]: [Number; 2]) -> Result<Value, Problem> {
+    Ok(match value {
+        Value::Spline(s) => s.restricted(&a, &b)?.into(),
+        Value::Rational(s) => s.restricted(&a, &b)?.into(),
+        Value::Surface(s) => s.restricted(direction, &a, &b)?.into(),
+        Value::RationalSurface(s) => s.restricted(direction, &a, &b)?.into(),
+        _ => unreachable!("a curve or a surface was told"),
+    })
+}
+
 /// The periodic space whose unrolled knots are these, if there is one.
 fn ring(open: &SplineSpace<f64>) -> Option<SplineSpace<f64>> {
     let (knots, (start, end)) = (open.knots(), open.domain());
-    let seam = knots.iter().position(|t| t == start)?;
-    let count = open.dim().checked_sub(open.degree()).filter(|count| *count > 0)?;
+    // Where the seam is, and how often: knots and control points that count nowhere in the domain are left out. A clamped start is no
+    // seam, though the ends may meet.
+    let seam = knots.iter().position(|t| t == start).filter(|seam| *seam > 0)?;
+    let copies = (open.degree() + 1).checked_sub(seam)?;
+    let count = (open.dim() + copies).checked_sub(open.degree() + 1).filter(|count| *count > 0)?;
     let round = knots.get(seam..seam + count)?;
     let ring = SplineSpace::periodic_up_to(open.degree(), round.iter().copied(), *end).ok()?;
-    (ring.knots() == knots).then_some(ring)
+    (ring.knots().get(..knots.len())? == knots.as_slice() && open.dim() >= ring.dim()).then_some(ring)
 }
 
 /// The first `once` numbers of each `all`, if the others repeat them.

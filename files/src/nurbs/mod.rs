@@ -1,8 +1,9 @@
-//! Splines as CAD files tell them: degrees, full knots, control points and weights, all of them floats.
+//! Splines as most files tell them: degrees, full knots, control points and weights, all of them floats.
 //!
 //! A periodic space is told by its unrolled knots and by control points that come again: the same function, for readers that know no
 //! periodic spaces. What was told so with the word that it is periodic is read as periodic, if that gives the same numbers to the
-//! last bit.
+//! last bit. Where the seam has several copies, knots and control points that count nowhere in the domain are left out; with `degree + 1`
+//! copies the space is told, and comes back, as the clamped one that it is.
 
 mod from_value;
 mod into_value;
@@ -22,7 +23,7 @@ pub(crate) struct Along {
 impl Along {
     /// How many control points there are.
     pub(crate) fn count(&self) -> usize {
-        (self.knots.len()).saturating_sub(self.degree + 1)
+        self.knots.len().saturating_sub(self.degree).saturating_sub(1)
     }
 
     /// Start and end of the domain.
@@ -34,6 +35,11 @@ impl Along {
     pub(crate) fn multiplicities(&self) -> Vec<(f64, usize)> {
         self.knots.chunk_by(|s, t| s == t).map(|copies| (copies[0], copies.len())).collect()
     }
+}
+
+/// The places of a grid in the order of its columns: in many files the index of `u`, the row, runs first.
+pub(crate) fn by_columns(rows: usize, columns: usize) -> impl Iterator<Item = usize> {
+    (0..columns).flat_map(move |j| (0..rows).map(move |i| i * columns + j))
 }
 
 /// A curve, with one parameter, or a surface, with two.

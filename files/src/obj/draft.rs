@@ -1,12 +1,10 @@
 //! A free-form element while it is read.
 
-use super::knots::{Kind, space};
+use super::knots::{Kind, full_knots};
 use super::lines::Statement;
 use crate::error::{FileError, Problem, Result};
-use symspline::{Direction, SplineSpace};
-use symspline_dynamic::{
-    AnyRational, AnyRationalSurface, AnySpace, AnySpline, AnySurface, Coords, Number, Value,
-};
+use crate::nurbs::{Along, Nurbs, by_columns};
+use symspline_dynamic::Value;
 
 /// What kind of element it is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -46,84 +44,32 @@ impl Draft<'_> {
         problem.at_line(self.start.line)
     }
 
-    fn space(&self, parameter: usize) -> std::result::Result<SplineSpace<f64>, Problem> {
+    fn along(&self, parameter: usize) -> std::result::Result<Along, Problem> {
         let letter = ["u", "v"][parameter];
         let missing = |what: &str| Problem::Syntax(format!("{what} of {letter} is missing"));
         let degree = *self.degrees.get(parameter).ok_or_else(|| missing("the degree"))?;
         let values = self.knots[parameter].as_ref().ok_or_else(|| missing("'parm'"))?;
-        space(self.kind, degree, values)
+        Ok(Along { degree, knots: full_knots(self.kind, degree, values)?, periodic: false })
     }
 
     fn made(&self) -> std::result::Result<Value, Problem> {
         let dim = if self.element == Element::PlaneCurve { 2 } else { 3 };
-        if self.element == Element::Surface {
-            let (u, v) = (self.space(0)?, self.space(1)?);
-            let expected = u.dim().saturating_mul(v.dim());
-            if expected != self.points.len() {
-                let found = self.points.len();
-                return Err(symspline::Error::CoefficientCount { expected, found }.into());
-            }
-            // In the file the index of u runs first, here that of v.
-            let order = (0..u.dim()).flat_map(|i| (0..v.dim()).map(move |j| (i, j)));
-            let points: Vec<_> = order.map(|(i, j)| self.points[j * u.dim() + i]).collect();
-            let (coords, weights) = apart(&points, dim);
-            return self.surface(u, v, coords, weights);
+        let directions = if self.element == Element::Surface { 2 } else { 1 };
+        let along = (0..directions).map(|i| self.along(i)).collect::<std::result::Result<Vec<_>, _>>()?;
+        let rows = along[0].count();
+        let columns = along.get(1).map_or(1, Along::count);
+        let (expected, found) = (rows.saturating_mul(columns), self.points.len());
+        if expected != found {
+            return Err(symspline::Error::CoefficientCount { expected, found }.into());
         }
-        let space = self.space(0)?;
-        let (coords, weights) = apart(&self.points, dim);
-        let domain = space.domain();
-        let part = self.part(&self.range, (*domain.0, *domain.1));
-        let space = AnySpace::from(space);
-        Ok(match self.is_rational {
-            true => {
-                let curve = AnyRational::new(space, dim, coords, weights)?;
-                part.map_or(Ok(curve.clone()), |[a, b]| curve.restricted(&a, &b))?.into()
-            }
-            false => {
-                let curve = AnySpline::new(space, dim, coords)?;
-                part.map_or(Ok(curve.clone()), |[a, b]| curve.restricted(&a, &b))?.into()
-            }
-        })
+        let points = || by_columns(columns, rows).map(|i| &self.points[i]);
+        let nurbs = Nurbs {
+            along,
+            dim,
+            coords: points().flat_map(|(point, _)| &point[..dim]).copied().collect(),
+            weights: self.is_rational.then(|| points().map(|(_, weight)| *weight).collect()),
+        };
+        let ends: Vec<[f64; 2]> = self.range.chunks_exact(2).map(|pair| [pair[0], pair[1]]).collect();
+        nurbs.into_part(&ends)
     }
-
-    fn surface(
-        &self,
-        u: SplineSpace<f64>,
-        v: SplineSpace<f64>,
-        coords: Coords,
-        weights: Coords,
-    ) -> std::result::Result<Value, Problem> {
-        let ends = |space: &SplineSpace<f64>| (*space.domain().0, *space.domain().1);
-        let parts = [self.part(&self.range[..2], ends(&u)), self.part(&self.range[2..], ends(&v))];
-        /// One text for both kinds.
-        macro_rules! restricted {
-            ($surface:expr) => {{
-                let mut surface = $surface;
-                for (direction, part) in [Direction::U, Direction::V].into_iter().zip(parts) {
-                    if let Some([a, b]) = part {
-                        surface = surface.restricted(direction, &a, &b)?;
-                    }
-                }
-                surface.into()
-            }};
-        }
-        let (u, v) = (AnySpace::from(u), AnySpace::from(v));
-        Ok(match self.is_rational {
-            true => restricted!(AnyRationalSurface::new(u, v, 3, coords, weights)?),
-            false => restricted!(AnySurface::new(u, v, 3, coords)?),
-        })
-    }
-
-    /// The range, unless it is the whole domain or not told.
-    fn part(&self, range: &[f64], domain: (f64, f64)) -> Option<[Number; 2]> {
-        match range {
-            [a, b] if (*a, *b) != domain => Some([Number::Float(*a), Number::Float(*b)]),
-            _ => None,
-        }
-    }
-}
-
-fn apart(points: &[([f64; 3], f64)], dim: usize) -> (Coords, Coords) {
-    let coords = points.iter().flat_map(|(point, _)| &point[..dim]).copied().collect();
-    (Coords::Float(coords), Coords::Float(points.iter().map(|(_, weight)| *weight).collect()))
 }

@@ -12,13 +12,13 @@ pub(super) enum Kind {
     Bezier,
 }
 
-/// The space of one parameter: from all knots, or from the breaks of Bezier pieces.
+/// The full knots of one parameter: as they are told, or from the breaks of Bezier pieces.
 ///
 /// # Errors
-/// Those of [`SplineSpace::new`].
-pub(super) fn space(kind: Kind, degree: usize, values: &[f64]) -> Result<SplineSpace<f64>, Problem> {
+/// For breaks that do not increase, and those of [`SplineSpace::clamped`].
+pub(super) fn full_knots(kind: Kind, degree: usize, values: &[f64]) -> Result<Vec<f64>, Problem> {
     Ok(match kind {
-        Kind::Bspline => SplineSpace::new(degree, values.iter().copied())?,
+        Kind::Bspline => values.to_vec(),
         Kind::Bezier => {
             // A degree is a word of the file: nothing is made of it before it is checked.
             if degree > symspline::limits::MAX_DEGREE {
@@ -34,7 +34,7 @@ pub(super) fn space(kind: Kind, degree: usize, values: &[f64]) -> Result<SplineS
             let inner = &values[1..values.len() - 1];
             let copies = inner.iter().flat_map(|t| std::iter::repeat_n(*t, degree));
             let (first, last) = (values[0], values[values.len() - 1]);
-            SplineSpace::clamped(degree, [first].into_iter().chain(copies).chain([last]))?
+            SplineSpace::clamped(degree, [first].into_iter().chain(copies).chain([last]))?.knots().to_vec()
         }
     })
 }

@@ -3,16 +3,14 @@
 use super::FORMAT;
 use crate::entry::Entry;
 use crate::error::{Place, Problem, Result};
-use crate::projected::Projected;
-use crate::rounded::{Rounded, rounded};
-use symspline::SplineSpace;
+use crate::nurbs::{Along, Nurbs, by_columns};
 use symspline_dynamic::{Over, Value};
 
 /// The OBJ text of curves in the plane and in space, of surfaces in space, and of one mesh.
 ///
 /// # Errors
-/// [`Problem::NoRoom`] for what it cannot hold: numbers, points, functions, surfaces in the plane, a second mesh, rational splines with points at
-/// infinity, and names with `#`, with line breaks, or that are not words with single blanks between them.
+/// [`Problem::NoRoom`] for what it cannot hold: numbers, points, functions, degree 0, surfaces in the plane, a second mesh, weights that are not
+/// positive, and names with `#`, with line breaks, or that are not words with single blanks between them.
 pub fn to_bytes(entries: &[Entry]) -> Result<Vec<u8>> {
     let mut text = Text::default();
     for (i, entry) in entries.iter().enumerate() {
@@ -47,43 +45,32 @@ impl Text {
         if let Value::Mesh(mesh) = &entry.value {
             return self.mesh(mesh);
         }
-        let Rounded { spaces, dim, coords, is_rational } = rounded(&entry.value, FORMAT)?;
-        let is_plane = match (&spaces[..], dim) {
-            ([_], 2) => true,
-            ([_], 3) | ([_, _], 3) => false,
-            _ => return Err(no_room(format!("{} in {dim} dimensions", entry.value.kind()))),
+        let told = Nurbs::of(&entry.value, FORMAT)?;
+        let is_plane = match (&told.along[..], told.dim) {
+            ([_], dim) => dim == 2,
+            (_, 3) => false,
+            (_, dim) => return Err(no_room(format!("{} in {dim} dimensions", entry.value.kind()))),
         };
-        let (points, weights) = match is_rational {
-            true => Projected::floats(&coords, dim)
-                .ok_or_else(|| no_room(format!("{} with points at infinity", entry.value.kind())))?,
-            false => (coords, Vec::new()),
-        };
-        for (i, point) in points.chunks(dim).enumerate() {
-            let numbers = point.iter().chain(weights.get(i)).map(number);
-            self.line(if is_plane { "vp" } else { "v" }, numbers);
+        for (i, point) in told.points().enumerate() {
+            let weight = told.weights.iter().map(|weights| &weights[i]);
+            self.line(if is_plane { "vp" } else { "v" }, point.iter().chain(weight).map(number));
         }
-        let count = points.len() / dim;
+        let count = told.points().len();
         let before = if is_plane { &mut self.plane_points } else { &mut self.vertices };
         let first = *before + 1;
         *before += count;
-        self.line("cstype", [if is_rational { "rat bspline" } else { "bspline" }.to_owned()]);
-        self.line("deg", spaces.iter().map(|s| s.degree().to_string()));
-        let ends = |s: &SplineSpace<f64>| [s.domain().0, s.domain().1].map(number);
-        let ranges: Vec<String> = spaces.iter().flat_map(ends).collect();
-        match &spaces[..] {
-            [_] if is_plane => self.line("curv2", (first..first + count).map(|i| i.to_string())),
-            [_] => self.line("curv", ranges.into_iter().chain((first..first + count).map(|i| i.to_string()))),
-            [u, v] => {
-                // In the file the index of u runs first, here that of v.
-                let columns = v.dim();
-                let order = (0..columns).flat_map(|j| (0..u.dim()).map(move |i| first + i * columns + j));
-                self.line("surf", ranges.into_iter().chain(order.map(|i| i.to_string())));
-            }
-            _ => unreachable!("a spline has one parameter or two"),
+        self.line("cstype", [if told.weights.is_some() { "rat bspline" } else { "bspline" }.to_owned()]);
+        self.line("deg", told.along.iter().map(|along| along.degree.to_string()));
+        let ranges = told.along.iter().flat_map(Along::domain).map(|t| number(&t));
+        let rows = told.along[0].count();
+        let indices = by_columns(rows, count / rows).map(|i| (first + i).to_string());
+        match told.along.len() {
+            1 if is_plane => self.line("curv2", indices),
+            1 => self.line("curv", ranges.chain(indices)),
+            _ => self.line("surf", ranges.chain(indices)),
         }
-        for (space, letter) in spaces.iter().zip(["u", "v"]) {
-            let knots = space.knots().iter().map(number);
-            self.line("parm", std::iter::once(letter.to_owned()).chain(knots));
+        for (along, letter) in told.along.iter().zip(["u", "v"]) {
+            self.line("parm", std::iter::once(letter.to_owned()).chain(along.knots.iter().map(number)));
         }
         self.line("end", []);
         Ok(())

@@ -63,6 +63,11 @@ impl<'a> Exchange<'a> {
         }
     }
 
+    /// Whether there is such an instance.
+    pub(super) fn defines(&self, id: u64) -> bool {
+        self.places.contains_key(&id)
+    }
+
     /// The parts of an instance.
     ///
     /// # Errors

@@ -7,7 +7,7 @@
 //!
 //! What is written: a part (AP214) with curves in a GEOMETRIC_CURVE_SET and surfaces in a GEOMETRIC_SET, each with its name. A curve in the
 //! plane lies in the plane `z = 0` of space, as the readers of CAD systems want it. Knots inside have at most `degree` copies: a curve with a
-//! jump has no room.
+//! jump has no room. Fractions are rounded to the nearest floats. What is lost: that a curve was plane.
 
 mod scan;
 mod parameter;

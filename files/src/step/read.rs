@@ -126,7 +126,11 @@ impl Reader<'_> {
 
     fn point(&mut self, id: u64) -> Read<&[f64]> {
         if !self.points.contains_key(&id) {
-            let parts = self.exchange.instance(id)?;
+            let place = |problem: Problem| Problem::Syntax(format!("#{id}: {problem}"));
+            let parts = match self.exchange.instance(id) {
+                Err(problem) if self.exchange.defines(id) => return Err(place(problem)),
+                parts => parts?,
+            };
             let found = match parts.as_slice() {
                 [("CARTESIAN_POINT", parameters)] => parameters.last(),
                 _ => match parts.iter().find(|(name, _)| *name == "CARTESIAN_POINT") {
@@ -134,7 +138,6 @@ impl Reader<'_> {
                     None => return wrong(format!("#{id} is not a CARTESIAN_POINT")),
                 },
             };
-            let place = |problem: Problem| Problem::Syntax(format!("#{id}: {problem}"));
             let Some(found) = found else {
                 return wrong(format!("#{id}: a CARTESIAN_POINT has coordinates"));
             };
@@ -256,7 +259,7 @@ fn default_knots(told: &str, degree: usize, count: usize) -> Read<Vec<f64>> {
     }
     // Full copies at the ends from 0, inside one, or in Bézier pieces as many as the degree.
     let (step, spans) = match told {
-        "BEZIER" if (count - 1) % degree != 0 => {
+        "BEZIER" if !(count - 1).is_multiple_of(degree) => {
             return wrong(format!("{count} control points do not make pieces of degree {degree}"));
         }
         "BEZIER" => (degree, (count - 1) / degree),

@@ -37,7 +37,7 @@ const LAST: usize = 16;
 /// The STEP file with these curves and surfaces.
 ///
 /// # Errors
-/// [`Problem::NoRoom`] for what is no curve or surface, for fractions that are no floats, and for knots inside with more than `degree` copies;
+/// [`Problem::NoRoom`] for what is no curve or surface, for weights that are not positive, and for knots inside with more than `degree` copies;
 /// [`Problem::Value`].
 pub fn to_bytes(entries: &[Entry]) -> Result<Vec<u8>> {
     let mut file = Instances { text: HEADER.to_owned(), last: LAST };

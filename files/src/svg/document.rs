@@ -4,12 +4,15 @@ use crate::error::{Place, Problem, Result};
 use crate::outline::Point;
 use nalgebra::vector;
 use roxmltree::{Document, Node};
+use std::collections::HashMap;
 use svgtypes::Transform;
 
 /// How deep groups and uses may be nested.
 const DEEPEST: usize = 64;
 /// How many elements may be drawn, those that are used again counted again.
 const MOST: usize = 1 << 20;
+/// How many letters elements may have that are drawn again, beyond those of the document.
+const MOST_LETTERS: usize = 1 << 25;
 
 /// A map of the plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -57,15 +60,24 @@ pub(super) fn draw_all(document: &Document<'_>, draw: Draw<'_>) -> Result<()> {
         let found = root.tag_name().name();
         return Err(Problem::Syntax(format!("the root is '{found}', not 'svg'")).at(place(root)));
     }
-    Walk { draw, count: 0 }.children(root, Affine(None), 0)
+    let mut ids = HashMap::new();
+    for node in document.descendants() {
+        if let Some(id) = node.attribute("id") {
+            ids.entry(id).or_insert(node);
+        }
+    }
+    Walk { draw, ids, count: 0, letters: 0 }.children(root, Affine(None), 0)
 }
 
-struct Walk<'a> {
+struct Walk<'a, 'd, 'i> {
     draw: Draw<'a>,
+    /// The elements that may be used, the first of each name.
+    ids: HashMap<&'d str, Node<'d, 'i>>,
     count: usize,
+    letters: usize,
 }
 
-impl Walk<'_> {
+impl Walk<'_, '_, '_> {
     fn children(&mut self, node: Node<'_, '_>, affine: Affine, depth: usize) -> Result<()> {
         node.children().filter(Node::is_element).try_for_each(|child| self.element(child, affine, depth))
     }
@@ -99,7 +111,13 @@ impl Walk<'_> {
             "g" | "a" | "switch" => self.children(node, affine, depth + 1),
             "svg" => refused("a drawing in a drawing is not read"),
             "use" => self.used(node, affine, depth + 1),
-            _ => (self.draw)(node, affine),
+            _ => {
+                self.letters += node.range().len();
+                match self.letters > MOST_LETTERS + node.document().input_text().len() {
+                    true => refused("long elements are drawn more often than is read"),
+                    false => (self.draw)(node, affine),
+                }
+            }
         }
     }
 
@@ -109,8 +127,7 @@ impl Walk<'_> {
         let Some(id) = href.and_then(|href| href.value().strip_prefix('#')) else {
             return refused("'use' needs an element of this document".into());
         };
-        let is_meant = |other: &Node<'_, '_>| other.attribute("id") == Some(id);
-        let Some(target) = node.document().descendants().find(is_meant) else {
+        let Some(target) = self.ids.get(id).copied() else {
             return refused(format!("there is no element '{}'", id.chars().take(40).collect::<String>()));
         };
         if target.tag_name().name() == "symbol" {

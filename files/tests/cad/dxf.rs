@@ -39,23 +39,24 @@ fn flags_tell_plane_and_periodic_curves_and_blocks_and_layers_names() {
 
 #[test]
 fn what_is_wrong_is_told_with_its_line() {
+    let long = "x".repeat(1800);
     for (old, new, told) in [
-        (" 72\r\n8\r\n", " 72\r\n9\r\n", "input:43: SPLINE: 9 knots are told, 8 are there"),
+        (" 72\r\n8\r\n", " 72\r\n9\r\n", "input:48: SPLINE: 9 knots are told, 8 are there"),
         (
             " 73\r\n5\r\n",
             " 73\r\n99999999999\r\n",
-            "input:43: SPLINE: 99999999999 control points are told, 5 are there",
+            "input:48: SPLINE: 99999999999 control points are told, 5 are there",
         ),
         (
             " 71\r\n2\r\n",
             " 71\r\n3\r\n",
-            "input:43: SPLINE: 8 knots and 5 control points do not make degree 3",
+            "input:48: SPLINE: 8 knots and 5 control points do not make degree 3",
         ),
-        (" 71\r\n2\r\n", " 71\r\n-1\r\n", "input:43: SPLINE: a degree of -1 is not possible"),
-        (" 71\r\n2\r\n", " 71\r\n2.0\r\n", "input:62: group 71: '2.0' is not a whole number"),
-        (" 40\r\n3E0\r\n", " 40\r\n1e999\r\n", "input:83: group 40: '1e999' is not a finite number"),
-        (" 40\r\n3E0\r\n", " 40\r\nnan\r\n", "input:83: group 40: 'nan' is not a finite number"),
-        (" 40\r\n3E0\r\n", " 40\r\n0.5\r\n", "input:43: knots decrease"),
+        (" 71\r\n2\r\n", " 71\r\n-1\r\n", "input:48: SPLINE: a degree of -1 is not possible"),
+        (" 71\r\n2\r\n", " 71\r\n2.0\r\n", "input:66: group 71: '2.0' is not a whole number"),
+        (" 40\r\n3E0\r\n", " 40\r\n1e999\r\n", "input:88: group 40: '1e999' is not a finite number"),
+        (" 40\r\n3E0\r\n", " 40\r\nnan\r\n", "input:88: group 40: 'nan' is not a finite number"),
+        (" 40\r\n3E0\r\n", " 40\r\n0.5\r\n", "input:48: knot 5 is smaller than the knot before it"),
         (" 20\r\n1.5\r\n", " 21\r\n1.5\r\n", "has no group 20"),
         (" 41\r\n0.5\r\n", " 41\r\n-0.5\r\n", "weight"),
         (" 41\r\n0.5\r\n", "", "2 control points have 1 weights"),
@@ -64,6 +65,8 @@ fn what_is_wrong_is_told_with_its_line() {
         ("  0\r\nENDSEC\r\n  0\r\nEOF", "  0\r\nEOF", "the file ends before the section ENTITIES does"),
         ("ENDBLK\r\n  0\r\nENDSEC\r\n", "ENDBLK\r\n", "a section begins before the last one ends"),
         (" 72\r\n8\r\n", "7x\r\n8\r\n", "'7x' is not a group code"),
+        (" 72\r\n8\r\n", "-2147483648\r\n8\r\n", "'-2147483648' is not a group code"),
+        ("nut", long.as_str(), "input:22: a block has a name of 1800 bytes"),
     ] {
         let error = after(PERIODIC, old, new, Format::Dxf).unwrap_err();
         assert!(error.contains(told), "{error} does not tell {told}");
@@ -130,7 +133,7 @@ fn polylines_bulge_to_the_right_of_the_way_if_positive() {
     // Three quarters of a circle: the tangent of 67.5 degrees. The centre is to the right of the way.
     let most = one("0=LWPOLYLINE;90=2;70=0;38=1;10=0;20=0;42=2.414213562373095;10=1;20=1");
     let [x, y, z] = at(&most, 0.5)[..] else { panic!("in space") };
-    assert_near(&[x, y, z], &[0.5 + 0.5 + FRAC_1_SQRT_2 - 0.5 + 0.0, -FRAC_1_SQRT_2 + 0.0, 1.0]);
+    assert_near(&[x, y, z], &[1.0 + FRAC_1_SQRT_2, -FRAC_1_SQRT_2, 1.0]);
     let few = read("0=LWPOLYLINE;90=1;70=0;10=0;20=0").unwrap_err();
     assert!(few.contains("fewer than two vertices"), "{few}");
     assert!(

@@ -110,7 +110,7 @@ fn what_is_wrong_is_told_with_the_line_or_the_entry_of_the_directory() {
             "124/x./-1./0./10.",
             "directory entry 3 (entity 126): parameter 1: 'x.' is not a finite number",
         ),
-        ("406/1/70H", "406/1/99H", "directory entry 3 (entity 126): a text is longer than the parameters"),
+        ("406/1/70H", "406/1/99H", "directory entry 3 (entity 126): the parameters have no end"),
     ] {
         match after(BY_HAND, old, new, Format::Iges) {
             Err(error) => assert!(!told.is_empty() && error.contains(told), "{error} does not tell {told}"),
@@ -127,8 +127,8 @@ fn records_have_80_columns_and_break_after_delimiters() {
     let space = SplineSpace::uniform_periodic(3, 7, -1.0, 1.0 / 3.0).unwrap();
     let coords: Vec<f64> = (1..15).map(|i| 1.0 / f64::from(i)).collect();
     let name = "a name of more than one record: ".repeat(4);
-    let entry = Entry::named(name.clone(), plane(space, &coords));
-    let bytes = to_bytes(&[entry.clone()], Format::Iges).unwrap();
+    let entry = Entry::named(name, plane(space, &coords));
+    let bytes = to_bytes(std::slice::from_ref(&entry), Format::Iges).unwrap();
     let text = String::from_utf8(bytes.clone()).unwrap();
     assert!(text.lines().all(|line| line.len() == 80));
     let parameters = text.lines().filter(|line| line.as_bytes()[72] == b'P' && line[64..72].trim() == "1");
@@ -155,4 +155,37 @@ fn the_end_of_an_arc_that_misses_the_circle_counts_as_a_direction() {
     let entries =
         after(BY_HAND, "100/2./0./0./1./0./0./1.!", "100/0./0./0./1./0./0./2.!", Format::Iges).unwrap();
     assert_near(&at(&entries[3].value, 1.0), &[9.0, 0.0, 0.5]);
+}
+
+/// Records of a section, numbered.
+fn section(letter: char, records: &[String]) -> String {
+    records.iter().enumerate().map(|(i, record)| format!("{record:<72}{letter}{:>7}\n", i + 1)).collect()
+}
+
+/// Lines that all refer to one name, of so many letters.
+fn with_one_name(lines: usize, letters: usize) -> String {
+    let name = format!("406,1,{letters}H{};", "x".repeat(letters));
+    let parts: Vec<&str> =
+        name.as_bytes().chunks(64).map(|part| std::str::from_utf8(part).unwrap()).collect();
+    let mut parameters: Vec<String> = parts.iter().map(|part| format!("{part:<64}{:>8}", 1)).collect();
+    let entry = |kind: usize, first: usize, count: usize, form: usize| {
+        let numbers = [first, 0, 0, 0, 0, 0, 0].map(|n| format!("{n:>8}")).concat();
+        [format!("{kind:>8}{numbers}00000000"), format!("{kind:>8}{:>8}{:>8}{count:>8}{form:>8}", 0, 0)]
+    };
+    let mut directory = entry(406, 1, parts.len(), 15).to_vec();
+    for _ in 0..lines {
+        directory.extend(entry(110, parameters.len() + 1, 1, 0));
+        parameters.push(format!("{:<64}{:>8}", "110,0.,0.,0.,1.,2.,0.,0,1,1;", directory.len() - 1));
+    }
+    let start = section('S', &["lines".into()]) + &section('G', &["1H,,1H;;".into()]);
+    let end = format!("S      1G      1D{:>7}P{:>7}", directory.len(), parameters.len());
+    start + &section('D', &directory) + &section('P', &parameters) + &section('T', &[end])
+}
+
+#[test]
+fn a_name_of_many_entities_does_not_fill_the_memory() {
+    let few = from_bytes(with_one_name(3, 1000).as_bytes(), Format::Iges).unwrap();
+    assert!(few.len() == 3 && few.iter().all(|entry| entry.name.as_deref() == Some(&*"x".repeat(1000))));
+    let error = from_bytes(with_one_name(200, 100_000).as_bytes(), Format::Iges).unwrap_err().to_string();
+    assert!(error.contains("the names of the file are too long for so many entities"), "{error}");
 }

@@ -68,7 +68,7 @@ fn references_and_parameters_that_are_wrong_are_told_with_the_instance() {
             "input: #20: 4 control points do not make pieces of degree 2",
         ),
         ("(4.,0.,1.)", "(4.,NaN,1.)", "#4: '(' was expected"),
-        ("(4.,0.,1.)", "(4.,1.E999,1.)", "input: #20: '1.E999' is not a finite number"),
+        ("(4.,0.,1.)", "(4.,1.E999,1.)", "input: #20: #4: '1.E999' is not a finite number"),
         ("(4.,0.,1.)", "(4.,'0.',1.)", "input: #20: #4: a number was expected"),
         ("(4.,0.,1.)", "(4.)", "input: #20: #4: 1 coordinates; there may be two or three"),
         (

@@ -1,7 +1,9 @@
 //! Small changes of files, drawn from a seed.
 
+use std::ops::Range;
+
 /// What numbers are replaced by.
-const NUMBERS: [&str; 12] = [
+const NUMBERS: [&str; 20] = [
     "NaN",
     "inf",
     "-inf",
@@ -14,6 +16,14 @@ const NUMBERS: [&str; 12] = [
     "1e308",
     "0.1",
     "99999999999999999999/7",
+    "4294967295",
+    "-2147483648",
+    "1e-999",
+    "'",
+    "(",
+    ",",
+    ";",
+    "$",
 ];
 
 /// A generator of numbers (splitmix64).
@@ -52,7 +62,7 @@ pub fn mutated(file: &[u8], other: &[u8], dice: &mut Dice) -> Vec<u8> {
 
 fn change(bytes: &mut Vec<u8>, other: &[u8], dice: &mut Dice) {
     let length = bytes.len();
-    match dice.below(9) {
+    match dice.below(11) {
         0 if length > 0 => bytes[dice.below(length)] ^= 1 << dice.below(8),
         1 => bytes.truncate(dice.below(length + 1)),
         2 => {
@@ -75,24 +85,29 @@ fn change(bytes: &mut Vec<u8>, other: &[u8], dice: &mut Dice) {
             let letter = *b"[{(<0123456789 \n\\-e.".get(dice.below(20)).expect("twenty letters");
             bytes.splice(at..at, std::iter::repeat_n(letter, 1 << dice.below(15)));
         }
-        _ => number(bytes, dice),
+        6 | 7 => {
+            let Some(place) = some_number(bytes, dice) else { return };
+            // Other digits: counts, pointers and references go wrong, columns stay.
+            let digits = bytes[place].iter_mut().filter(|byte| byte.is_ascii_digit());
+            digits.for_each(|byte| *byte = b'0' + dice.below(10) as u8);
+        }
+        _ => {
+            let Some(place) = some_number(bytes, dice) else { return };
+            let drawn = match dice.below(2) {
+                0 => NUMBERS[dice.below(NUMBERS.len())].to_owned(),
+                _ => dice.below(40).to_string(),
+            };
+            bytes.splice(place, drawn.into_bytes());
+        }
     }
 }
 
-/// Puts another number in the place of one.
-fn number(bytes: &mut Vec<u8>, dice: &mut Dice) {
+/// The place of a number.
+fn some_number(bytes: &[u8], dice: &mut Dice) -> Option<Range<usize>> {
     let is_part = |byte: &u8| byte.is_ascii_digit() || b"+-.eE".contains(byte);
     let starts: Vec<usize> = (0..bytes.len())
         .filter(|&i| bytes[i].is_ascii_digit() && (i == 0 || !is_part(&bytes[i - 1])))
         .collect();
-    if starts.is_empty() {
-        return;
-    }
-    let start = starts[dice.below(starts.len())];
-    let end = start + bytes[start..].iter().take_while(|byte| is_part(byte)).count();
-    let drawn = match dice.below(2) {
-        0 => NUMBERS[dice.below(NUMBERS.len())].to_owned(),
-        _ => dice.below(12).to_string(),
-    };
-    bytes.splice(start..end, drawn.into_bytes());
+    let start = *starts.get(dice.below(starts.len()))?;
+    Some(start..start + bytes[start..].iter().take_while(|byte| is_part(byte)).count())
 }
