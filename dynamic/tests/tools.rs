@@ -1,5 +1,7 @@
 //! What tools over values refuse, and that errors of callers come out as they are.
 
+#![allow(clippy::unwrap_used, reason = "a test may panic")]
+
 use symspline::{Norm, Q, Scalar, SplineSpace, Spread};
 use symspline_dynamic::tools::constraints::{Asked, Wishes, constrained};
 use symspline_dynamic::tools::edit::{AnyDrag, Grip};

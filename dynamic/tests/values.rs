@@ -1,5 +1,7 @@
 //! Values: what goes together, what comes out, and what is refused.
 
+#![allow(clippy::unwrap_used, reason = "a test may panic")]
+
 use symspline::{Direction, Q, Scalar, SplineSpace};
 use symspline_dynamic::{
     AnyMesh, AnyRational, AnyRationalSurface, AnySpline, AnySurface, Coords, Error, Number, Over, Value,

@@ -13,7 +13,6 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
-from scipy.interpolate import BSpline
 from symspline import Space, Spline
 from symspline.analysis import CurvatureProfile, curvature, curvature_comb
 from symspline.fine_tune import NearestScale, fine_tuned, fine_tuned_holding
@@ -25,25 +24,12 @@ arguments, _ = parser.parse_known_args()  # a notebook has arguments of its own
 
 
 # %%
-def clamped(degree, spans):
-    """The space of a degree over equal spans of [0, 1]."""
-    return Space(degree, [0.0] * degree + list(np.linspace(0, 1, spans + 1)) + [1.0] * degree)
-
-
-def fit(space, parameters, points):
-    """The spline with the least squares of distances at parameters that starts and ends at the first and the last point."""
-    basis = BSpline.design_matrix(parameters, space.knots, space.degree).toarray()
-    coeffs = np.zeros((space.dim, points.shape[1]))
-    coeffs[0], coeffs[-1] = points[0], points[-1]
-    coeffs[1:-1] = np.linalg.lstsq(basis[:, 1:-1], points - basis @ coeffs, rcond=None)[0]
-    return Spline(space, coeffs)
-
-
 # Parameters by lengths of chords; the side view has y and z.
 points = np.loadtxt(ROOT / "data" / "car_prius_profile_3.csv", delimiter=",", skiprows=1)[:, -2:]
 lengths = np.concatenate([[0], np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1))])
-curve = fit(clamped(3, 69), np.minimum(lengths / lengths[-1], 1), points)
-alpha = Spline(clamped(2, 4), [1.0, 1.0, 0.5, 2.0, 1.0, 1.0])
+parameters = np.minimum(lengths / lengths[-1], 1)
+curve = Spline.least_squares(Space.uniform(3, 69, 0.0, 1.0), parameters, points, ends="held")
+alpha = Spline(Space.uniform(2, 4, 0.0, 1.0), [1.0, 1.0, 0.5, 2.0, 1.0, 1.0])
 
 # %% [markdown]
 # The three ways to tune. With the ends held by a similarity of scale `s` the curvature is `κ / (α s)`.
@@ -59,17 +45,11 @@ tuned = [
     ("nearest scale", "#009E73", fine_tuned(curve, nearest), nearest, 1.0),
 ]
 
-
-def values(spline, at):
-    """The values of a spline at many parameters."""
-    return np.array([spline(float(x)) for x in at])
-
-
 at = np.linspace(0, 1, 1400)[1:-1]
 kappa = curvature(curve, at)
 print(f"{len(points)} points")
 for name, _, d, a, s in tuned:
-    off = np.abs(curvature(d, at) * values(a, at) * s - kappa).max() / np.abs(kappa).max()
+    off = np.abs(curvature(d, at) * a(at) * s - kappa).max() / np.abs(kappa).max()
     moved = np.linalg.norm(d.coeffs[-1] - curve.coeffs[-1])
     print(f"{name:<14} degree {d.space.degree}, s {s:.4f}, |κ_D α s - κ| / |κ|max {off:.1e}, end moved {moved:.3f} mm")
 
@@ -78,18 +58,17 @@ figure, (plane, scales, profiles) = plt.subplots(3, 1, figsize=(11, 12), layout=
 chord = np.linalg.norm(curve.coeffs[-1] - curve.coeffs[0])
 comb = CurvatureProfile(curve).comb_scale(0.08 * chord)
 for name, color, d in [("original", "#888888", curve)] + [(name, color, d) for name, color, d, _, _ in tuned]:
-    path, teeth = values(d, at), np.linspace(0, 1, 280)[1:-1]
-    tips, feet = curvature_comb(d, teeth, comb), values(d, teeth)
+    path, teeth = d(at), np.linspace(0, 1, 280)[1:-1]
+    tips, feet = curvature_comb(d, teeth, comb), d(teeth)
     plane.plot(np.array([feet[:, 0], tips[:, 0]]), np.array([feet[:, 1], tips[:, 1]]), color=color, lw=0.4)
     plane.plot(tips[:, 0], tips[:, 1], color=color, lw=0.6)
     plane.plot(path[:, 0], path[:, 1], color=color, lw=2.2, label=name)
     profiles.plot(*CurvatureProfile(d).samples[:2], color=color, lw=1.2, label=name)
-profiles.plot(at, kappa / values(alpha, at), "k:", lw=1, label="κ / α of the original")
+profiles.plot(at, kappa / alpha(at), "k:", lw=1, label="κ / α of the original")
 for name, color, _, a, s in tuned:
     if s == 1.0:
-        nodes = [np.mean(a.space.knots[i + 1 : i + 1 + a.space.degree]) for i in range(a.space.dim)]
-        scales.plot(at, values(a, at), color=color, lw=2, label=f"α, {name}")
-        scales.plot(nodes, a.coeffs, "o-", color=color, lw=0.6, mfc="none")
+        scales.plot(at, a(at), color=color, lw=2, label=f"α, {name}")
+        scales.plot(a.space.greville, a.coeffs, "o-", color=color, lw=0.6, mfc="none")
 plane.set(title="Profile with curvature combs", xlabel="y [mm]", ylabel="z [mm]", aspect="equal")
 scales.set(title="Scale functions", ylabel="α")
 profiles.set(title="Curvature", xlabel="parameter", ylabel="κ [1/mm]")

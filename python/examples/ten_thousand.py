@@ -9,8 +9,8 @@ from symspline import Space, Spline
 from symspline.fine_tune import fine_tuned_holding
 from tqdm import tqdm
 
-SPACE = Space(3, [0.0] * 3 + list(np.linspace(0, 1, 61)) + [1.0] * 3)
-ALPHA = Spline(Space(2, [0.0] * 3 + [0.25, 0.5, 0.75] + [1.0] * 3), [1.0, 1.0, 0.5, 2.0, 1.0, 1.0])
+SPACE = Space.uniform(3, 60, 0.0, 1.0)
+ALPHA = Spline(Space.uniform(2, 4, 0.0, 1.0), [1.0, 1.0, 0.5, 2.0, 1.0, 1.0])
 
 
 def curves(count, seed=1):

@@ -2,7 +2,7 @@
 //!
 //! A tolerance is a number of the field of the spline, whatever it was given as: it makes no floats of fractions.
 
-use crate::arguments::{Along, Side, Smooth, Touch};
+use crate::arguments::{Along, SIDES, Smooth, Touch, word};
 use crate::error::Result;
 use crate::numbers::Num;
 use crate::rational::Rational;
@@ -96,10 +96,11 @@ impl Spline {
 
     /// The spline without one copy of the knot at an index, whatever that changes: `keep` ("left", "right") is the side that keeps
     /// its coefficients. With a bound of the distance, and the ends of the interval outside which nothing changes.
-    fn without_knot(&self, py: Python<'_>, index: usize, keep: Side) -> Result<(Self, Num, (Num, Num))> {
+    fn without_knot(&self, py: Python<'_>, index: usize, keep: &str) -> Result<(Self, Num, (Num, Num))> {
+        let keep = word("keep", keep, &SIDES)?;
         py.detach(|| {
             each!(&self.0, s => {
-                let dropped = s.without_knot(index, keep.0)?;
+                let dropped = s.without_knot(index, keep)?;
                 let (start, end) = dropped.changed;
                 let changed = (Num(start.number()), Num(end.number()));
                 Ok((Self(dropped.spline.into()), Num(dropped.bound.number()), changed))

@@ -1,31 +1,38 @@
 //! Choices that Python makes by words.
 
-use crate::error::Failure;
-use pyo3::exceptions::PyValueError;
+use crate::error::{Failure, Result};
 use pyo3::prelude::*;
 use symspline::{Contact, Continuity, Direction, Ends, Keep};
-use symspline_dynamic::{Meeting, Result};
+use symspline_dynamic::Meeting;
+
+/// The one a word names, of those there are.
+///
+/// # Errors
+/// "Word".
+pub fn word<T: Copy>(what: &str, word: &str, all: &[(&str, T)]) -> Result<T> {
+    match all.iter().find(|(name, _)| *name == word) {
+        Some((_, one)) => Ok(*one),
+        None => {
+            let names: Vec<String> = all.iter().map(|(name, _)| format!("\"{name}\"")).collect();
+            Err(Failure::new("Word", format!("{what} is one of {}, not \"{word}\"", names.join(", "))))
+        }
+    }
+}
 
 /// A direction of a surface: `"u"` or `"v"`, or 0 or 1.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct Along(pub Direction);
 
 impl<'py> FromPyObject<'_, 'py> for Along {
     type Error = PyErr;
 
     fn extract(object: Borrowed<'_, 'py, PyAny>) -> PyResult<Self> {
-        if let Ok(axis) = object.extract::<usize>() {
-            return match axis {
-                0 => Ok(Self(Direction::U)),
-                1 => Ok(Self(Direction::V)),
-                _ => Err(unknown("direction", &axis.to_string(), "\"u\", \"v\", 0 or 1")),
-            };
-        }
-        match object.extract::<String>()?.as_str() {
-            "u" => Ok(Self(Direction::U)),
-            "v" => Ok(Self(Direction::V)),
-            other => Err(unknown("direction", other, "\"u\", \"v\", 0 or 1")),
-        }
+        let name = match object.extract::<usize>() {
+            Ok(axis) => axis.to_string(),
+            Err(_) => object.extract::<String>()?,
+        };
+        let all = [("u", Direction::U), ("v", Direction::V), ("0", Direction::U), ("1", Direction::V)];
+        Ok(Self(word("direction", &name, &all)?))
     }
 }
 
@@ -62,11 +69,8 @@ impl<'py> FromPyObject<'_, 'py> for Smooth {
         if let Ok(at_most) = object.extract::<usize>() {
             return Ok(Self(Continuity::AtMost(at_most)));
         }
-        match object.extract::<String>()?.as_str() {
-            "kept" => Ok(Self(Continuity::Kept)),
-            "breaks" => Ok(Self(Continuity::Breaks)),
-            other => Err(unknown("continuity", other, "\"kept\", \"breaks\" or a number")),
-        }
+        let all = [("kept", Continuity::Kept), ("breaks", Continuity::Breaks)];
+        Ok(Self(word("continuity", &object.extract::<String>()?, &all)?))
     }
 }
 
@@ -77,47 +81,17 @@ impl Default for Smooth {
 }
 
 /// The side of a knot: `"left"` or `"right"`.
-#[derive(Debug)]
-pub struct Side(pub Keep);
+pub const SIDES: [(&str, Keep); 2] = [("left", Keep::Left), ("right", Keep::Right)];
 
-impl<'py> FromPyObject<'_, 'py> for Side {
-    type Error = PyErr;
-
-    fn extract(object: Borrowed<'_, 'py, PyAny>) -> PyResult<Self> {
-        match object.extract::<String>()?.as_str() {
-            "left" => Ok(Self(Keep::Left)),
-            "right" => Ok(Self(Keep::Right)),
-            other => Err(unknown("side", other, "\"left\" or \"right\"")),
-        }
-    }
-}
-
-/// What least squares do with the first and last point: `"free"`, `"held"`.
-#[derive(Debug)]
-pub struct AtEnds(pub Ends);
-
-impl<'py> FromPyObject<'_, 'py> for AtEnds {
-    type Error = PyErr;
-
-    fn extract(object: Borrowed<'_, 'py, PyAny>) -> PyResult<Self> {
-        match object.extract::<String>()?.as_str() {
-            "free" => Ok(Self(Ends::Free)),
-            "held" => Ok(Self(Ends::Held)),
-            other => Err(unknown("ends", other, "\"free\" or \"held\"")),
-        }
-    }
-}
-
-fn unknown(what: &str, found: &str, possible: &str) -> PyErr {
-    PyValueError::new_err(format!("'{found}' is no {what}: {possible} is"))
-}
+/// What least squares do with the first and last point.
+pub const ENDS: [(&str, Ends); 2] = [("free", Ends::Free), ("held", Ends::Held)];
 
 /// The same over fractions (`exact=True`), over floats (`exact=False`), or as it is.
 pub fn forced<M: Meeting>(
     of: M,
     exact: Option<bool>,
-    to_exact: impl Fn(&M) -> Result<M>,
-) -> std::result::Result<M, Failure> {
+    to_exact: impl Fn(&M) -> symspline_dynamic::Result<M>,
+) -> Result<M> {
     Ok(match exact {
         Some(true) => to_exact(&of)?,
         Some(false) => of.rounded()?,

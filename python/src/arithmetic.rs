@@ -6,7 +6,7 @@ use crate::rational::Rational;
 use crate::rational_surface::RationalSurface;
 use crate::spline::Spline;
 use crate::surface::Surface;
-use crate::value::Operand;
+use crate::value::Thing;
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use symspline_dynamic::{Any, Coords, Family, Field, Value, alike, together};
@@ -17,10 +17,10 @@ fn binary(
     left: Value,
     right: Value,
     operation: fn(&Value, &Value) -> symspline_dynamic::Result<Value>,
-) -> Result<Operand> {
+) -> Result<Thing> {
     let (s, t) = (&left, &right);
     together!(s, t);
-    py.detach(|| Ok(Operand(operation(&s, &t)?)))
+    py.detach(|| Ok(operation(&s, &t)?.into()))
 }
 
 /// The images of values under a matrix of shape `(rows, dim)`.
@@ -79,55 +79,55 @@ macro_rules! arithmetic {
                 Ok(Self(self.0.to_float()?))
             }
 
-            fn __add__(&self, py: Python<'_>, other: Operand) -> Result<Operand> {
+            fn __add__(&self, py: Python<'_>, other: Thing) -> Result<Thing> {
                 binary(py, self.0.clone().into(), other.0, Value::sum)
             }
 
-            fn __radd__(&self, py: Python<'_>, other: Operand) -> Result<Operand> {
+            fn __radd__(&self, py: Python<'_>, other: Thing) -> Result<Thing> {
                 binary(py, other.0, self.0.clone().into(), Value::sum)
             }
 
-            fn __sub__(&self, py: Python<'_>, other: Operand) -> Result<Operand> {
+            fn __sub__(&self, py: Python<'_>, other: Thing) -> Result<Thing> {
                 binary(py, self.0.clone().into(), other.0, Value::difference)
             }
 
-            fn __rsub__(&self, py: Python<'_>, other: Operand) -> Result<Operand> {
+            fn __rsub__(&self, py: Python<'_>, other: Thing) -> Result<Thing> {
                 binary(py, other.0, self.0.clone().into(), Value::difference)
             }
 
-            fn __mul__(&self, py: Python<'_>, other: Operand) -> Result<Operand> {
+            fn __mul__(&self, py: Python<'_>, other: Thing) -> Result<Thing> {
                 binary(py, self.0.clone().into(), other.0, Value::product)
             }
 
-            fn __rmul__(&self, py: Python<'_>, other: Operand) -> Result<Operand> {
+            fn __rmul__(&self, py: Python<'_>, other: Thing) -> Result<Thing> {
                 binary(py, other.0, self.0.clone().into(), Value::product)
             }
 
-            fn __truediv__(&self, py: Python<'_>, other: Operand) -> Result<Operand> {
+            fn __truediv__(&self, py: Python<'_>, other: Thing) -> Result<Thing> {
                 binary(py, self.0.clone().into(), other.0, Value::quotient)
             }
 
-            fn __rtruediv__(&self, py: Python<'_>, other: Operand) -> Result<Operand> {
+            fn __rtruediv__(&self, py: Python<'_>, other: Thing) -> Result<Thing> {
                 binary(py, other.0, self.0.clone().into(), Value::quotient)
             }
 
-            fn __matmul__(&self, py: Python<'_>, other: Operand) -> Result<Operand> {
+            fn __matmul__(&self, py: Python<'_>, other: Thing) -> Result<Thing> {
                 binary(py, self.0.clone().into(), other.0, Value::dot)
             }
 
-            fn __rmatmul__(&self, py: Python<'_>, other: Array) -> Result<Operand> {
+            fn __rmatmul__(&self, py: Python<'_>, other: Array) -> Result<Thing> {
                 match other.shape.len() {
-                    2 => Ok(Operand(self.transformed(py, other)?.0.into())),
+                    2 => Ok(self.transformed(py, other)?.0.into()),
                     _ => binary(py, Value::Point(other.point()?), self.0.clone().into(), Value::dot),
                 }
             }
 
-            fn __pow__(&self, py: Python<'_>, exponent: usize, modulo: Option<Bound<'_, PyAny>>) -> PyResult<Operand> {
+            fn __pow__(&self, py: Python<'_>, exponent: usize, modulo: Option<Bound<'_, PyAny>>) -> PyResult<Thing> {
                 if modulo.is_some() {
                     return Err(PyTypeError::new_err("splines have no powers by a modulus"));
                 }
                 let value = Value::from(self.0.clone());
-                Ok(py.detach(|| Result::Ok(Operand(value.power(exponent)?)))?)
+                Ok(py.detach(|| Result::Ok(value.power(exponent)?.into()))?)
             }
 
             fn __neg__(&self, py: Python<'_>) -> Result<Self> {
@@ -139,12 +139,12 @@ macro_rules! arithmetic {
             }
 
             /// The inner products of the values with those of another, or with a point: a function. Also `self @ other`.
-            fn dot(&self, py: Python<'_>, other: Operand) -> Result<Operand> {
+            fn dot(&self, py: Python<'_>, other: Thing) -> Result<Thing> {
                 self.__matmul__(py, other)
             }
 
             /// The cross products of the values with those of another: in the plane a function, in space vectors.
-            fn cross(&self, py: Python<'_>, other: Operand) -> Result<Operand> {
+            fn cross(&self, py: Python<'_>, other: Thing) -> Result<Thing> {
                 binary(py, self.0.clone().into(), other.0, Value::cross)
             }
 

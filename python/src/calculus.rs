@@ -2,7 +2,7 @@
 
 use crate::arguments::Along;
 use crate::error::Result;
-use crate::numbers::{Array, Num, point};
+use crate::numbers::{Array, Num, Point};
 use crate::rational::Rational;
 use crate::rational_surface::RationalSurface;
 use crate::spline::Spline;
@@ -11,7 +11,7 @@ use pyo3::prelude::*;
 use symspline::QuadraticForm;
 use symspline_dynamic::number::flat;
 use symspline_dynamic::{
-    Any, AnySurface, Coords, Error, Family, Field, Number, each, each_curve, together, with_function,
+    Any, AnySurface, Error, Family, Field, Number, each, each_curve, together, with_function,
 };
 
 /// Three numbers or three functions: the factors of `du²`, of `2 du dv`, of `dv²`.
@@ -62,33 +62,29 @@ impl Spline {
         py.detach(|| Ok(Self(self.0.antiderivative()?)))
     }
 
-    /// The integral from `a` to `b`, or over the domain: a number or a point.
+    /// The integral from `a` to `b`, or over the domain: a number or a point. As a function: `antiderivative`.
     #[pyo3(signature = (a=None, b=None))]
-    fn integral<'py>(&self, py: Python<'py>, a: Option<Num>, b: Option<Num>) -> PyResult<Bound<'py, PyAny>> {
-        let value = py.detach(|| -> Result<Coords> {
+    fn integral(&self, py: Python<'_>, a: Option<Num>, b: Option<Num>) -> Result<Point> {
+        py.detach(|| {
             let (start, end) = self.0.domain();
             let (s, a, b) = (&self.0, &a.map_or(start, |a| a.0), &b.map_or(end, |b| b.0));
             together!(s, a, b);
-            Ok(s.integral_between(&a, &b)?)
-        })?;
-        point(py, value)
+            Ok(Point(s.integral_between(&a, &b)?))
+        })
     }
 
     /// The integral of the values times a power of the parameter: a number or a point.
-    fn moment<'py>(&self, py: Python<'py>, power: usize) -> PyResult<Bound<'py, PyAny>> {
-        let value = py
-            .detach(|| -> Result<Coords> { each!(&self.0, T, s => Ok(flat::<T, _>(&[s.moment(power)?]))) })?;
-        point(py, value)
+    fn moment(&self, py: Python<'_>, power: usize) -> Result<Point> {
+        py.detach(|| each!(&self.0, T, s => Ok(Point(flat::<T, _>(&[s.moment(power)?])))))
     }
 
     /// The integral of the values times a function: a number or a point.
-    fn weighted_integral<'py>(&self, py: Python<'py>, weight: &Self) -> PyResult<Bound<'py, PyAny>> {
-        let value = py.detach(|| -> Result<Coords> {
+    fn weighted_integral(&self, py: Python<'_>, weight: &Self) -> Result<Point> {
+        py.detach(|| {
             let (s, w) = (&self.0, &weight.0);
             together!(s, w);
-            with_function!(&*s, &*w, s, w => Ok(flat(&[s.weighted_integral(w)?])))
-        })?;
-        point(py, value)
+            with_function!(&*s, &*w, s, w => Ok(Point(flat(&[s.weighted_integral(w)?]))))
+        })
     }
 
     /// The inner product with another: the integral of the inner products of the values.
@@ -148,12 +144,7 @@ impl Surface {
 
     /// The integral over the rectangle from `start` to `end`, pairs of parameters, or over the domain: a number or a point.
     #[pyo3(signature = (start=None, end=None))]
-    fn integral<'py>(
-        &self,
-        py: Python<'py>,
-        start: Option<(Num, Num)>,
-        end: Option<(Num, Num)>,
-    ) -> PyResult<Bound<'py, PyAny>> {
+    fn integral(&self, py: Python<'_>, start: Option<(Num, Num)>, end: Option<(Num, Num)>) -> Result<Point> {
         let corner =
             |pair: Option<(Num, Num)>, last: bool| -> (Number, Number) {
                 pair.map_or_else(
@@ -165,22 +156,19 @@ impl Surface {
             )
             };
         let ((a, c), (b, d)) = (corner(start, false), corner(end, true));
-        let value = py.detach(|| -> Result<Coords> {
+        py.detach(|| {
             let (s, a, b, c, d) = (&self.0, &a, &b, &c, &d);
             together!(s, a, b, c, d);
             each!(&*s, T, s => {
                 let [a, b, c, d] = [T::of(&a)?, T::of(&b)?, T::of(&c)?, T::of(&d)?];
-                Ok(flat::<T, _>(&[s.integral_between((&a, &c), (&b, &d))?]))
+                Ok(Point(flat::<T, _>(&[s.integral_between((&a, &c), (&b, &d))?])))
             })
-        })?;
-        point(py, value)
+        })
     }
 
     /// The integral of the values times `u**k * v**l`: a number or a point.
-    fn moment<'py>(&self, py: Python<'py>, k: usize, l: usize) -> PyResult<Bound<'py, PyAny>> {
-        let value =
-            py.detach(|| -> Result<Coords> { each!(&self.0, T, s => Ok(flat::<T, _>(&[s.moment(k, l)?]))) })?;
-        point(py, value)
+    fn moment(&self, py: Python<'_>, k: usize, l: usize) -> Result<Point> {
+        py.detach(|| each!(&self.0, T, s => Ok(Point(flat::<T, _>(&[s.moment(k, l)?])))))
     }
 
     /// The curve on the surface over a plane curve in its domain.

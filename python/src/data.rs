@@ -1,6 +1,6 @@
 //! Splines from data: interpolation, least squares, conics, skins.
 
-use crate::arguments::AtEnds;
+use crate::arguments::{ENDS, word};
 use crate::error::{Failure, Result};
 use crate::numbers::{Array, Num};
 use crate::rational::Rational;
@@ -68,15 +68,16 @@ impl Spline {
     /// The spline of `space` with the least sum of squared distances from `data`, of shape `(n,)` or `(n, d)`, at `parameters`; with
     /// `ends="held"` it starts and ends at the first and last point.
     #[staticmethod]
-    #[pyo3(signature = (space, parameters, data, ends=AtEnds(symspline::Ends::Free)))]
+    #[pyo3(signature = (space, parameters, data, ends="free"))]
     fn least_squares(
         py: Python<'_>,
         space: &Space,
         parameters: Array,
         data: Array,
-        ends: AtEnds,
+        ends: &str,
     ) -> Result<Self> {
-        fitted!(py, space, parameters, data, T, s, x, p => SplineOf::least_squares(s, &x, &p, ends.0))
+        let ends = word("ends", ends, &ENDS)?;
+        fitted!(py, space, parameters, data, T, s, x, p => SplineOf::least_squares(s, &x, &p, ends))
     }
 
     /// The largest squared distance of `data` from the values at `parameters`.

@@ -116,9 +116,10 @@ fn python<'py>(py: Python<'py>, json: &Json) -> PyResult<Bound<'py, PyAny>> {
     Ok(match json {
         Json::Null => py.None().into_bound(py),
         Json::Bool(b) => b.into_pyobject(py)?.to_owned().into_any(),
-        Json::Number(n) => match n.as_i64() {
-            Some(n) => n.into_pyobject(py)?.into_any(),
-            None => n.as_f64().into_pyobject(py)?,
+        Json::Number(n) => match (n.as_i64(), n.as_u64()) {
+            (Some(n), _) => n.into_pyobject(py)?.into_any(),
+            (None, Some(n)) => n.into_pyobject(py)?.into_any(),
+            (None, None) => n.as_f64().into_pyobject(py)?,
         },
         Json::String(text) => text.into_pyobject(py)?.into_any(),
         Json::Array(all) => {

@@ -1,7 +1,7 @@
 //! Values and derivatives at parameters.
 
 use crate::error::{Failure, Result};
-use crate::numbers::{Array, Num, point};
+use crate::numbers::{Array, Num, Point};
 use crate::rational::Rational;
 use crate::rational_surface::RationalSurface;
 use crate::spline::Spline;
@@ -42,7 +42,11 @@ fn values<'py>(
     dim: usize,
     values: Coords,
 ) -> PyResult<Bound<'py, PyAny>> {
-    if shape.is_empty() { point(py, values) } else { Array::points(shape, dim, values).into_pyobject(py) }
+    if shape.is_empty() {
+        Point(values).into_pyobject(py)
+    } else {
+        Array::points(shape, dim, values).into_pyobject(py)
+    }
 }
 
 /// Two arrays of one shape.
@@ -95,11 +99,10 @@ macro_rules! of_one_parameter {
             }
 
             /// The limit of the values from the left at a parameter.
-            fn at_left<'py>(&self, py: Python<'py>, x: Num) -> PyResult<Bound<'py, PyAny>> {
-                let found = py.detach(|| -> Result<Coords> {
-                    each!(&self.0, T, s => met(flat::<T, _>(&[s.at_left(&T::of(&x.0)?)?]), x.0.is_exact()))
-                })?;
-                point(py, found)
+            fn at_left(&self, py: Python<'_>, x: Num) -> Result<Point> {
+                py.detach(|| {
+                    each!(&self.0, T, s => met(flat::<T, _>(&[s.at_left(&T::of(&x.0)?)?]), x.0.is_exact())).map(Point)
+                })
             }
 
             /// The value and the derivatives up to an order at a parameter: shape `(order + 1,)` or `(order + 1, d)`; at an array of

@@ -9,12 +9,14 @@ mod error;
 #[macro_use]
 mod numbers;
 mod arguments;
+mod record;
 mod space;
 mod maps;
 mod spline;
 mod surface;
 mod rational;
 mod rational_surface;
+mod mesh;
 mod value;
 mod arithmetic;
 mod evaluate;
@@ -39,5 +41,6 @@ fn _symspline(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<surface::Surface>()?;
     module.add_class::<rational::Rational>()?;
     module.add_class::<rational_surface::RationalSurface>()?;
+    module.add_class::<mesh::Mesh>()?;
     tools::register(module)
 }

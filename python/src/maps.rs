@@ -23,7 +23,7 @@ fn matrix<T: Field>(map: symspline::Result<LinearMap<T>>) -> Result<Array> {
     Ok(Array::new(vec![matrix.nrows(), matrix.ncols()], T::coords(numbers)))
 }
 
-/// As many zeros as the entries of a map, or the first rows: whether the matrix is small enough is asked before it is made.
+/// That a matrix, or `layers` of them, is not too large: asked before it is made.
 fn checked(rows: usize, columns: usize, layers: usize) -> Result<()> {
     match rows.saturating_mul(columns).saturating_mul(layers) {
         0..=MAX_ENTRIES => Ok(()),

@@ -15,7 +15,7 @@ use symspline::limits::MAX_ENTRIES;
 use symspline_dynamic::{Coords, Field, Number, Over};
 
 /// A number from Python: whole numbers and fractions are exact, floats are floats.
-#[derive(Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Num(pub Number);
 
 impl<'py> FromPyObject<'_, 'py> for Num {
@@ -117,6 +117,11 @@ impl Array {
         Self { shape, numbers }
     }
 
+    /// A list of points of `dim` coordinates: of shape `(n, dim)`, or `(n,)` for one coordinate.
+    pub fn of_points(dim: usize, numbers: Coords) -> Self {
+        Self::points(vec![numbers.len() / dim.max(1)], dim, numbers)
+    }
+
     /// The numbers, if there is one axis.
     ///
     /// # Errors
@@ -157,8 +162,9 @@ impl<'py> FromPyObject<'_, 'py> for Array {
 
     fn extract(object: Borrowed<'_, 'py, PyAny>) -> PyResult<Self> {
         if let Ok(array) = object.extract::<PyReadonlyArrayDyn<'py, f64>>() {
-            let shape = array.shape().to_vec();
-            return Ok(Self { shape, numbers: Over::Float(array.as_array().iter().copied().collect()) });
+            let view = array.as_array();
+            let numbers = view.as_slice().map_or_else(|| view.iter().copied().collect(), <[f64]>::to_vec);
+            return Ok(Self { shape: array.shape().to_vec(), numbers: Over::Float(numbers) });
         }
         if object.cast::<PyInt>().is_ok() || object.cast::<PyFloat>().is_ok() {
             return object.extract::<Num>().map(|x| Self { shape: Vec::new(), numbers: one(x.0) });
@@ -172,7 +178,7 @@ impl<'py> FromPyObject<'_, 'py> for Array {
                     let (mut shape, mut all) = (Vec::new(), Vec::new());
                     gather(&array.call_method0("tolist")?, 0, &mut shape, &mut all)?;
                     // An axis of length zero hides those after it.
-                    Ok(Self { shape: array.shape().to_vec(), numbers: unite(all)? })
+                    Ok(Self { shape: array.shape().to_vec(), numbers: unite(all) })
                 }
                 kind => Err(PyTypeError::new_err(format!(
                     "an array of kind '{}' holds no numbers: int, Fraction and float are",
@@ -182,7 +188,7 @@ impl<'py> FromPyObject<'_, 'py> for Array {
         }
         let (mut shape, mut all) = (Vec::new(), Vec::new());
         gather(&object, 0, &mut shape, &mut all)?;
-        Ok(Self { shape, numbers: unite(all)? })
+        Ok(Self { shape, numbers: unite(all) })
     }
 }
 
@@ -248,19 +254,19 @@ fn gather(
 }
 
 /// Over fractions if all are, else over floats.
-fn unite(all: Vec<Number>) -> PyResult<Coords> {
+pub fn unite(all: Vec<Number>) -> Coords {
     if all.iter().all(Over::is_exact) {
         let exact = |x: Number| match x {
             Over::Exact(x) => Some(x),
             Over::Float(_) => None,
         };
-        return Ok(Over::Exact(all.into_iter().filter_map(exact).collect()));
+        return Over::Exact(all.into_iter().filter_map(exact).collect());
     }
     let float = |x: Number| match x {
         Over::Float(x) => x,
         Over::Exact(x) => x.to_f64(),
     };
-    Ok(Over::Float(all.into_iter().map(float).collect()))
+    Over::Float(all.into_iter().map(float).collect())
 }
 
 /// Numbers on their way to Python: an array of floats without a copy, or an array of fractions as objects.
@@ -285,11 +291,28 @@ impl<'py> IntoPyObject<'py> for Array {
     }
 }
 
-/// A point on its way to Python: a number if it has one coordinate, else an array.
-pub fn point<'py>(py: Python<'py>, coords: Coords) -> PyResult<Bound<'py, PyAny>> {
-    match coords {
-        Over::Float(all) if all.len() == 1 => Num(Over::Float(all[0])).into_pyobject(py),
-        Over::Exact(all) if all.len() == 1 => fraction(py, &all[0]),
-        coords => Array::new(vec![coords.len()], coords).into_pyobject(py),
+/// A point or vector: a number if it has one coordinate, else an array of one axis.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Point(pub Coords);
+
+impl<'py> FromPyObject<'_, 'py> for Point {
+    type Error = PyErr;
+
+    fn extract(object: Borrowed<'_, 'py, PyAny>) -> PyResult<Self> {
+        Ok(Self(object.extract::<Array>()?.point()?))
+    }
+}
+
+impl<'py> IntoPyObject<'py> for Point {
+    type Target = PyAny;
+    type Output = Bound<'py, PyAny>;
+    type Error = PyErr;
+
+    fn into_pyobject(self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        match self.0 {
+            Over::Float(all) if all.len() == 1 => Num(Over::Float(all[0])).into_pyobject(py),
+            Over::Exact(all) if all.len() == 1 => fraction(py, &all[0]),
+            coords => Array::new(vec![coords.len()], coords).into_pyobject(py),
+        }
     }
 }

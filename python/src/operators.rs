@@ -11,13 +11,21 @@ use crate::surface::Surface;
 use pyo3::prelude::*;
 use symspline_dynamic::{Any, Family, Spaced, each, together};
 
-/// One derivative after the other.
+/// One derivative after the other, until nothing changes any more: of zero.
 fn derived<F: Family>(
     s: &Any<F>,
     order: usize,
     derivative: impl Fn(&Any<F>) -> symspline_dynamic::Result<Any<F>>,
 ) -> Result<Any<F>> {
-    Ok((0..order).try_fold(s.clone(), |s, _| derivative(&s))?)
+    let mut s = s.clone();
+    for _ in 0..order {
+        let next = derivative(&s)?;
+        if next == s {
+            break;
+        }
+        s = next;
+    }
+    Ok(s)
 }
 
 macro_rules! of_one_parameter {
@@ -31,9 +39,9 @@ macro_rules! of_one_parameter {
             }
 
             /// The same with a higher degree.
-            #[pyo3(signature = (raise_=1))]
-            fn elevated(&self, py: Python<'_>, raise_: usize) -> Result<Self> {
-                py.detach(|| Ok(Self(self.0.elevated(raise_)?)))
+            #[pyo3(signature = (by=1))]
+            fn elevate(&self, py: Python<'_>, by: usize) -> Result<Self> {
+                py.detach(|| Ok(Self(self.0.elevated(by)?)))
             }
 
             /// The same with more knots, of shape `(n,)`.
@@ -108,9 +116,9 @@ macro_rules! of_two_parameters {
             }
 
             /// The same with a higher degree in one direction.
-            #[pyo3(signature = (direction, raise_=1))]
-            fn elevated(&self, py: Python<'_>, direction: Along, raise_: usize) -> Result<Self> {
-                py.detach(|| Ok(Self(self.0.elevated(direction.0, raise_)?)))
+            #[pyo3(signature = (direction, by=1))]
+            fn elevate(&self, py: Python<'_>, direction: Along, by: usize) -> Result<Self> {
+                py.detach(|| Ok(Self(self.0.elevated(direction.0, by)?)))
             }
 
             /// The same with more knots in one direction, of shape `(n,)`.

@@ -1,70 +1,45 @@
 //! Enclosures of extreme values, and boxes.
 
 use crate::error::Result;
-use crate::numbers::{Array, Num};
+use crate::numbers::{Array, Num, Point};
 use crate::rational::Rational;
 use crate::rational_surface::RationalSurface;
+use crate::record::record;
 use crate::spline::Spline;
 use crate::surface::Surface;
 use pyo3::prelude::*;
-use pyo3::types::PyTuple;
 use symspline::Enclosure;
-use symspline_dynamic::{Any, Error, Field, Number, each_curve};
+use symspline_dynamic::{Any, Error, Field, each_curve};
 
-/// An extreme value between a bound and a value met.
-#[pyclass(frozen, eq, module = "symspline")]
-#[derive(Clone, Debug, PartialEq)]
-pub struct Extremum {
-    bound: Number,
-    value: Number,
-    parameter: Vec<Number>,
-}
-
-#[pymethods]
-impl Extremum {
-    /// The function nowhere goes beyond this.
-    #[getter]
-    fn bound(&self) -> Num {
-        Num(self.bound.clone())
-    }
-
-    /// The function goes that far: its value at `parameter`.
-    #[getter]
-    fn value(&self) -> Num {
-        Num(self.value.clone())
-    }
-
-    /// Where `value` is met: a parameter, or a pair of them.
-    #[getter]
-    fn parameter<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        match &self.parameter[..] {
-            [x] => Num(x.clone()).into_pyobject(py),
-            all => Ok(PyTuple::new(py, all.iter().map(|x| Num(x.clone())))?.into_any()),
-        }
-    }
-
-    fn __repr__(&self) -> String {
-        let parameter: Vec<String> = self.parameter.iter().map(ToString::to_string).collect();
-        format!("<Extremum: value {} at {}, bound {}>", self.value, parameter.join(", "), self.bound)
+record! {
+    "symspline"
+    /// An extreme value between a bound and a value met.
+    Extremum {
+        /// The function nowhere goes beyond this.
+        bound: Num,
+        /// The function goes that far: its value at `parameter`.
+        value: Num,
+        /// Where `value` is met: a parameter, or two in an array.
+        parameter: Point,
     }
 }
 
 /// The place of an extreme value.
 trait Place {
-    fn numbers(self) -> Vec<Number>;
+    fn point(self) -> Point;
 }
 
 macro_rules! place {
     ($($field:ty),+) => {
         $(impl Place for $field {
-            fn numbers(self) -> Vec<Number> {
-                vec![self.number()]
+            fn point(self) -> Point {
+                Point(Field::coords(vec![self]))
             }
         }
 
         impl Place for ($field, $field) {
-            fn numbers(self) -> Vec<Number> {
-                vec![self.0.number(), self.1.number()]
+            fn point(self) -> Point {
+                Point(Field::coords(vec![self.0, self.1]))
             }
         })+
     };
@@ -74,9 +49,9 @@ place!(f64, symspline::Q);
 
 fn ends<T: Field, X: Place>(enclosure: Enclosure<T, X>) -> (Extremum, Extremum) {
     let end = |e: symspline::Extremum<T, X>| Extremum {
-        bound: e.bound.number(),
-        value: e.value.number(),
-        parameter: e.parameter.numbers(),
+        bound: Num(e.bound.number()),
+        value: Num(e.value.number()),
+        parameter: e.parameter.point(),
     };
     (end(enclosure.least), end(enclosure.greatest))
 }

@@ -1,7 +1,7 @@
 //! Splines of `scipy.interpolate` and back. It is imported when it is asked for.
 
 use crate::error::{Failure, Result};
-use crate::numbers::{Array, Num};
+use crate::numbers::Array;
 use crate::space::Space;
 use crate::spline::Spline;
 use crate::surface::Surface;
@@ -42,13 +42,11 @@ fn periodic<T: Field>(degree: usize, knots: &[T]) -> Result<SplineSpace<T>> {
     let first = degree + 1 - copies;
     let round = knots[first..first + count].to_vec();
     let end = knots[degree + count].clone();
-    let period = Num(end.clone().number());
-    let start = f64::of(&knots[degree].clone().number())?;
-    let slack = SLACK * (f64::of(&period.0)? - start).abs();
-    let space = SplineSpace::periodic_up_to(degree, round, end)?;
     let apart = |a: &T, b: &T| -> Result<f64> {
         Ok((f64::of(&a.clone().number())? - f64::of(&b.clone().number())?).abs())
     };
+    let slack = SLACK * apart(&knots[degree], &end)?;
+    let space = SplineSpace::periodic_up_to(degree, round, end)?;
     for (a, b) in knots.iter().zip(space.knots().as_slice()) {
         let apart = apart(a, b)?;
         if apart.is_nan() || apart > slack {

@@ -177,9 +177,9 @@ impl Space {
     }
 
     /// The space of the same splines as splines of a higher degree.
-    #[pyo3(signature = (raise_=1))]
-    fn elevated(&self, raise_: usize) -> Result<Self> {
-        over!(&self.0, T, s => { let _: Option<T>; s.elevated(raise_) })
+    #[pyo3(signature = (by=1))]
+    fn elevate(&self, by: usize) -> Result<Self> {
+        over!(&self.0, T, s => { let _: Option<T>; s.elevated(by) })
     }
 
     /// The space of a lower degree whose elevation holds the splines of that degree; `continuity` is "kept", "breaks" (no knot

@@ -1,66 +1,64 @@
-//! Whatever an operator gives: one of the classes, a number or a point.
+//! Anything that goes in or comes out: a shape, a mesh, a number or a point.
 
 use crate::error::Failure;
-use crate::numbers::{Array, Num, point};
+use crate::mesh::Mesh;
+use crate::numbers::{Array, Num, Point};
 use crate::rational::Rational;
 use crate::rational_surface::RationalSurface;
 use crate::spline::Spline;
 use crate::surface::Surface;
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
-use symspline_dynamic::{Coords, Over, Value};
+use symspline_dynamic::{Over, Value};
 
 /// A value on its way from Python or to it.
-#[derive(Debug)]
-pub struct Operand(pub Value);
+#[derive(Clone, Debug, PartialEq)]
+pub struct Thing(pub Value);
 
-impl<'py> FromPyObject<'_, 'py> for Operand {
-    type Error = PyErr;
-
-    fn extract(object: Borrowed<'_, 'py, PyAny>) -> PyResult<Self> {
-        if let Ok(s) = object.cast::<Spline>() {
-            return Ok(Self(s.get().0.clone().into()));
-        }
-        if let Ok(s) = object.cast::<Surface>() {
-            return Ok(Self(s.get().0.clone().into()));
-        }
-        if let Ok(s) = object.cast::<Rational>() {
-            return Ok(Self(s.get().0.clone().into()));
-        }
-        if let Ok(s) = object.cast::<RationalSurface>() {
-            return Ok(Self(s.get().0.clone().into()));
-        }
-        let array = object.extract::<Array>()?;
-        match array.shape.len() {
-            0 => Ok(Self(number(array.numbers)?.into())),
-            1 => Ok(Self(array.numbers.into())),
-            _ => Err(PyTypeError::new_err("an array of more than one axis is no point")),
-        }
+impl<V: Into<Value>> From<V> for Thing {
+    fn from(value: V) -> Self {
+        Self(value.into())
     }
 }
 
-fn number(coords: Coords) -> Result<symspline_dynamic::Number, Failure> {
-    let none = || Failure::new("Shape", "an array without a number");
-    Ok(match coords {
-        Over::Float(x) => Over::Float(*x.first().ok_or_else(none)?),
-        Over::Exact(x) => Over::Exact(x.into_iter().next().ok_or_else(none)?),
-    })
+/// One text for the classes that values have.
+macro_rules! classes {
+    ($($kind:ident),+) => {
+        impl<'py> FromPyObject<'_, 'py> for Thing {
+            type Error = PyErr;
+
+            fn extract(object: Borrowed<'_, 'py, PyAny>) -> PyResult<Self> {
+                $(if let Ok(inner) = object.cast::<$kind>() {
+                    return Ok(inner.get().0.clone().into());
+                })+
+                let Array { shape, numbers } = object.extract()?;
+                match (shape.len(), numbers) {
+                    (0, Over::Float(all)) if all.len() == 1 => Ok(Over::Float(all[0]).into()),
+                    (0, Over::Exact(all)) if all.len() == 1 => Ok(Over::Exact(all[0].clone()).into()),
+                    (1, numbers) => Ok(numbers.into()),
+                    (axes, _) => {
+                        let message = format!("an array of {axes} axes is no number, no point and no shape");
+                        Err(Failure::new("Shape", message).into())
+                    }
+                }
+            }
+        }
+
+        impl<'py> IntoPyObject<'py> for Thing {
+            type Target = PyAny;
+            type Output = Bound<'py, PyAny>;
+            type Error = PyErr;
+
+            fn into_pyobject(self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+                Ok(match self.0 {
+                    Value::Number(x) => Num(x).into_pyobject(py)?,
+                    Value::Point(p) => Point(p).into_pyobject(py)?,
+                    $(Value::$kind(inner) => $kind(inner).into_pyobject(py)?.into_any(),)+
+                    other => return Err(PyTypeError::new_err(format!("{other} has no class here"))),
+                })
+            }
+        }
+    };
 }
 
-impl<'py> IntoPyObject<'py> for Operand {
-    type Target = PyAny;
-    type Output = Bound<'py, PyAny>;
-    type Error = PyErr;
-
-    fn into_pyobject(self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        Ok(match self.0 {
-            Value::Number(x) => Num(x).into_pyobject(py)?,
-            Value::Point(p) => point(py, p)?,
-            Value::Spline(s) => Spline(s).into_pyobject(py)?.into_any(),
-            Value::Surface(s) => Surface(s).into_pyobject(py)?.into_any(),
-            Value::Rational(s) => Rational(s).into_pyobject(py)?.into_any(),
-            Value::RationalSurface(s) => RationalSurface(s).into_pyobject(py)?.into_any(),
-            other => return Err(PyTypeError::new_err(format!("{other} has no class here"))),
-        })
-    }
-}
+classes!(Spline, Surface, Rational, RationalSurface, Mesh);

@@ -7,11 +7,3 @@ from ._symspline import (
     Pull,
     Sculptor,
 )
-
-__all__ = [
-    "Anchored",
-    "Elastic",
-    "Material",
-    "Pull",
-    "Sculptor",
-]

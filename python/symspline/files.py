@@ -7,11 +7,3 @@ from ._symspline import (
     read,
     write,
 )
-
-__all__ = [
-    "dumps",
-    "formats",
-    "loads",
-    "read",
-    "write",
-]

@@ -10,14 +10,3 @@ from ._symspline import (
     mesh_from_obj,
     mesh_to_obj,
 )
-
-__all__ = [
-    "CatmullClark",
-    "ControlPolygon",
-    "DooSabin",
-    "Mesh",
-    "RelaxedMesh",
-    "loop_lengths",
-    "mesh_from_obj",
-    "mesh_to_obj",
-]

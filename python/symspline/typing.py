@@ -1,11 +1,13 @@
-"""Names for what the methods of this package take and give, for annotations."""
+"""Names for what this package takes and gives, for annotations."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import Any, Literal, Union
 
 import numpy as np
 from numpy.typing import NDArray
+
+from ._symspline import Rational, RationalSurface, Space, Spline, Surface
 
 #: An exact number, or a float.
 Number = Union[Fraction, float]
@@ -21,3 +23,19 @@ Direction = Literal["u", "v", 0, 1]
 Continuity = Union[Literal["kept", "breaks"], int]
 #: How many derivatives are kept at the ends, the value counting as the first.
 Contact = Union[int, tuple[int, int]]
+#: A shape of any kind.
+Shape = Union[Spline, Surface, Rational, RationalSurface]
+#: A shape of one parameter.
+Curve = Union[Spline, Rational]
+#: A shape of two parameters.
+AnySurface = Union[Surface, RationalSurface]
+#: The name of a control point, or an order of derivatives: of surfaces a pair.
+Index = Union[int, tuple[int, int]]
+#: A space of scale functions, of surfaces one for each direction.
+Scales = Union[Space, tuple[Space, Space]]
+#: An array of floats.
+Floats = NDArray[np.float64]
+#: Two bounds.
+Bounds = tuple[float, float]
+#: Constraints on a shape: places with orders of derivatives, or weights of control points.
+ConstraintsLike = Sequence[Union[tuple[ArrayLike, Index], Mapping[int, NumberLike]]]

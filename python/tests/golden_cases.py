@@ -11,7 +11,10 @@ from symspline import Rational, Space, Spline
 
 FILE = Path(__file__).resolve().parents[2] / "tests" / "golden" / "cases.json"
 CASES = json.loads(FILE.read_text(encoding="utf-8"))["cases"]
+#: The categories that tests run: how many cases each has, and the fields they are run over.
+RUN = {}
 NUMBER = re.compile(r"-?\d+(/\d+)?\Z")
+NUMBERS = {"exact": Fraction, "float": float}
 TEXTS = {"id", "note", "norm", "regime", "name", "variant"}
 
 
@@ -29,9 +32,9 @@ def read(value, number):
 def golden(category, count, *, fields=("exact", "float")):
     """Runs a test on every case of a category, of which there are `count`, over both fields."""
     cases = CASES[category]
-    assert len(cases) == count, category
-    numbers = {"exact": Fraction, "float": float}
-    rows = [pytest.param(Case(case, numbers[field]), id=f"{case['id']}-{field}") for case in cases for field in fields]
+    assert len(cases) == count and category not in RUN, category
+    RUN[category] = count, fields
+    rows = [pytest.param(Case(case, NUMBERS[field]), id=f"{case['id']}-{field}") for case in cases for field in fields]
     return pytest.mark.parametrize("case", rows)
 
 
@@ -72,16 +75,20 @@ def flat(value):
     return [value]
 
 
+def space_of(case, degree="p", knots="U"):
+    return Space(case[degree], case[knots])
+
+
 def curve_of(case, degree="n"):
-    return Spline(Space(case[degree], case["U"]), case["P"])
+    return Spline(space_of(case, degree), case["P"])
 
 
 def function_of(case, coeffs="alpha"):
-    return Spline(Space(case["q"], case["V"]), case[coeffs])
+    return Spline(space_of(case, "q", "V"), case[coeffs])
 
 
 def nurbs_of(case):
-    return Rational(Space(case["p"], case["U"]), case["P"], case["w"])
+    return Rational(space_of(case), case["P"], case["w"])
 
 
 def check_spline(case, spline, degree, knots, coeffs, factor=256):

@@ -2,6 +2,8 @@
 
 from fractions import Fraction
 
+import pytest
+
 
 def basis(knots, degree, i, x, left=False):
     """Basis function i at x by the recursion of Cox and de Boor; right limits, or left ones."""
@@ -28,3 +30,8 @@ def derivative(knots, degree, coeffs):
     t, p = knots, degree
     steps = [(i, t[i + p + 1] - t[i + 1]) for i in range(len(coeffs) - 1)]
     return t[1:-1], [p * (coeffs[i + 1] - coeffs[i]) / h if h else Fraction(0) for i, h in steps]
+
+
+def splipy():
+    """The package, where it can be imported: its last one for an old Python is for an old numpy."""
+    return pytest.importorskip("splipy", exc_type=ImportError)

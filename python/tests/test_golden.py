@@ -4,49 +4,15 @@ Over fractions everything must be equal. Over floats indices and knots must be e
 ``factor * eps * size``, with the size of the largest number of the answer or, for derivatives, of what they are made of.
 """
 
-import json
 import math
 from fractions import Fraction
-from pathlib import Path
 
 import numpy as np
 import pytest
+from golden_cases import CASES, NUMBERS, RUN, Case, curve_of, nurbs_of, space_of
 from symspline import Rational, RationalSurface, Space, Spline, SymsplineError
 
-CASES = Path(__file__).parents[2] / "tests" / "golden" / "cases.json"
-GOLDEN = json.loads(CASES.read_text())["cases"] if CASES.exists() else {}
-pytestmark = pytest.mark.skipif(not GOLDEN, reason="the golden values are not beside this package")
 EPSILON = float(np.finfo(float).eps)
-
-
-class Case:
-    """A case over fractions or, rounded to nearest, over floats."""
-
-    def __init__(self, data, exact):
-        self.data, self.exact = data, exact
-
-    def number(self, text):
-        x = Fraction(text)
-        return x if self.exact else float(x)
-
-    def __getitem__(self, key):
-        """Numbers in the field of the case; counts, words and null as they are."""
-
-        def of(value):
-            if isinstance(value, list):
-                return [of(entry) for entry in value]
-            return self.number(value) if isinstance(value, str) else value
-
-        return of(self.data[key])
-
-    def space(self, degree="p", knots="U"):
-        return Space(self[degree], self[knots])
-
-    def curve(self):
-        return Spline(self.space(), self["P"])
-
-    def nurbs(self):
-        return Rational(self.space(), self["P"], self["w"])
 
 
 def of_spline(f, coeffs=None):
@@ -107,18 +73,18 @@ def nurbs_surface_size(case, _rows, k):
 
 
 def basis(case):
-    space = case.space()
+    space = space_of(case)
     rows = space.basis_derivatives(case["u"], case["K"])
     assert list(space.basis(case["u"])[1]) == list(rows[0][1])
     return [space.locate(case["u"]), *(first for first, _ in rows)], space.knots.tolist(), [list(row) for _, row in rows]
 
 
 def degree_reduction(case):
-    lowered, bound = case.curve().degree_lowered(case["t"])
+    lowered, bound = curve_of(case, "p").degree_lowered(case["t"])
     integers, knots, rows = of_spline(lowered)
-    if case.exact:
+    if case.is_exact:
         try:
-            assert case.curve().degree_reduced_exactly(case["t"]) == lowered and bound == 0
+            assert curve_of(case, "p").degree_reduced_exactly(case["t"]) == lowered and bound == 0
         except SymsplineError as error:
             assert error.kind == "NotReducible"
             rows = []
@@ -134,14 +100,14 @@ def golden_reduction(case):
 
 
 def knot_removal(case):
-    removed, _ = case.curve().removed(case["u"], 10**6, 0 if case.exact else 1e-12)
+    removed, _ = curve_of(case, "p").removed(case["u"], 10**6, 0 if case.is_exact else 1e-12)
     integers, knots, rows = of_spline(removed)
-    return [*integers, case.curve().space.dim - removed.space.dim], knots, rows
+    return [*integers, curve_of(case, "p").space.dim - removed.space.dim], knots, rows
 
 
 def knot_removal_forced(case):
-    keep = "right" if case.data["variant"] == "keep_right" else "left"
-    dropped, _, changed = case.curve().without_knot(case["r"], keep)
+    keep = "right" if case.case["variant"] == "keep_right" else "left"
+    dropped, _, changed = curve_of(case, "p").without_knot(case["r"], keep)
     integers, knots, rows = of_spline(dropped)
     return integers, [*knots, *changed], rows
 
@@ -152,36 +118,36 @@ def golden_forced(case):
 
 
 def product(case):
-    factor = Spline(case.space("q", "V"), case["a"])
-    found = case.curve() * factor
-    assert not case.exact or found == factor * case.curve()
+    factor = Spline(space_of(case, "q", "V"), case["a"])
+    found = curve_of(case, "p") * factor
+    assert not case.is_exact or found == factor * curve_of(case, "p")
     return of_spline(found)
 
 
 def antiderivative(case):
-    f, start = case.curve(), case["start"]
+    f, start = curve_of(case, "p"), case["start"]
     return of_spline(f.antiderivative() + (start if f.dimension > 1 else start[0]))
 
 
 def gram(case):
-    matrix = case.space().gram(case.space("p2", "U2"), case["k"], case["k2"], a=case["a"], b=case["b"])
+    matrix = space_of(case).gram(space_of(case, "p2", "U2"), case["k"], case["k2"], a=case["a"], b=case["b"])
     return [], [], matrix.tolist()
 
 
 def nurbs_basis_ders(case):
-    one = Rational(case.space(), [1] * len(case["w"]), case["w"])
+    one = Rational(space_of(case), [1] * len(case["w"]), case["w"])
     rows = one.basis_derivatives(case["u"], case["K"])
     return [first + one.degree for first, _ in rows], [], [list(row) for _, row in rows]
 
 
 def nurbs_surface_ders(case):
-    surface = RationalSurface(case.space(), case.space("q", "V"), case["P"], case["w"])
+    surface = RationalSurface(space_of(case), space_of(case, "q", "V"), case["P"], case["w"])
     found = surface.derivatives_at(case["u"], case["v"], case["K"])
     return [], [], found.reshape(-1, surface.dimension).tolist()
 
 
 def knot_insertion_rational(case):
-    f = case.nurbs().inserted(case["insert"])
+    f = nurbs_of(case).inserted(case["insert"])
     return [f.degree], f.space.knots.tolist(), [*f.points.tolist(), f.weights.tolist()]
 
 
@@ -196,10 +162,10 @@ def golden_rows(key):
 CATEGORIES = {
     # Name: how many cases, the factor over floats, what is found, what is expected, the size.
     "basis": (22, 4, basis, lambda c: ([c["span"]] + [c["span"] - c["p"]] * len(c["ders"]), c["U"], c["ders"]), basis_size),
-    "curve_ders": (3, 4, lambda c: rows_of(c.curve().derivatives_at(c["u"], c["K"])), golden_rows("ders"), curve_size),
-    "hodograph": (3, 4, lambda c: of_spline(c.curve().derivative()), lambda c: golden_spline(c, "p_out", "U_out", "P_out"), None),
-    "knot_insertion": (8, 4, lambda c: of_spline(c.curve().inserted(c["insert"])), lambda c: golden_spline(c, "p", "U_out", "P_out"), None),
-    "degree_elevation": (6, 4, lambda c: of_spline(c.curve().elevated(c["t"])), lambda c: golden_spline(c, "p_out", "U_out", "P_out"), None),
+    "curve_ders": (3, 4, lambda c: rows_of(curve_of(c, "p").derivatives_at(c["u"], c["K"])), golden_rows("ders"), curve_size),
+    "hodograph": (3, 4, lambda c: of_spline(curve_of(c, "p").derivative()), lambda c: golden_spline(c, "p_out", "U_out", "P_out"), None),
+    "knot_insertion": (8, 4, lambda c: of_spline(curve_of(c, "p").inserted(c["insert"])), lambda c: golden_spline(c, "p", "U_out", "P_out"), None),
+    "degree_elevation": (6, 4, lambda c: of_spline(curve_of(c, "p").elevate(c["t"])), lambda c: golden_spline(c, "p_out", "U_out", "P_out"), None),
     "degree_reduction": (7, 16, degree_reduction, golden_reduction, None),
     "knot_removal": (
         3,
@@ -214,12 +180,12 @@ CATEGORIES = {
     "definite_integral": (
         10,
         4,
-        lambda c: rows_of([c.curve().integral(c["a"], c["b"])]),
+        lambda c: rows_of([curve_of(c, "p").integral(c["a"], c["b"])]),
         lambda c: ([], [], [c["value"]]),
         integral_size,
     ),
     "gram": (9, 8, gram, golden_rows("matrix"), None),
-    "nurbs_ders": (6, 8, lambda c: rows_of(c.nurbs().derivatives_at(c["u"], c["K"])), golden_rows("ders"), nurbs_size),
+    "nurbs_ders": (6, 8, lambda c: rows_of(nurbs_of(c).derivatives_at(c["u"], c["K"])), golden_rows("ders"), nurbs_size),
     "nurbs_basis_ders": (
         5,
         8,
@@ -244,14 +210,17 @@ CATEGORIES = {
 }
 
 
+RUN.update({name: (entry[0], tuple(NUMBERS)) for name, entry in CATEGORIES.items()})
+
+
 def cases():
-    return [(name, data) for name in CATEGORIES for data in GOLDEN.get(name, [])]
+    return [(name, data) for name, entry in CATEGORIES.items() for data in CASES[name][: entry[0]]]
 
 
 @pytest.mark.parametrize(("name", "data"), cases(), ids=lambda value: value if isinstance(value, str) else value["id"])
 def test_case(name, data):
     _, factor, found, expected, size = CATEGORIES[name]
-    exact, inexact = Case(data, True), Case(data, False)
+    exact, inexact = (Case(data, number) for number in NUMBERS.values())
     truth = expected(exact)
     assert found(exact) == truth
 
@@ -262,8 +231,3 @@ def test_case(name, data):
         allowed = factor * EPSILON * (size(exact, truth[2], k) if size else largest(*(x for r in truth[2] for x in r)))
         for x, q in zip(row, right):
             assert abs(Fraction(x) - q) <= allowed
-
-
-def test_every_case_is_counted():
-    assert {name: len(GOLDEN[name]) for name in CATEGORIES} == {name: entry[0] for name, entry in CATEGORIES.items()}
-    assert len(cases()) == 102

@@ -3,7 +3,7 @@
 from fractions import Fraction
 
 import numpy as np
-from golden_cases import CASES, curve_of, flat, golden
+from golden_cases import curve_of, flat, golden
 from symspline import Mesh, Space, Spline, Surface
 from symspline.deform import Elastic, Material
 from symspline.mesh import CatmullClark, ControlPolygon, DooSabin, loop_lengths
@@ -119,17 +119,13 @@ def test_nurccs_grid(case):
     case.key(fine[places], "faces")
 
 
-@golden("conversion_topology", 2, fields=("exact",))
+@golden("conversion_topology", 2)
 def test_conversion_topology(case):
-    faces = case["faces"]
-    converted = DooSabin(Mesh([[0, 0, 0]] * (1 + max(flat(faces))), faces)).converted()
+    faces, zero = case["faces"], case.number(Fraction(0))
+    converted = DooSabin(Mesh([[zero] * 3] * (1 + max(flat(faces))), faces)).converted()
     mesh, intervals = converted.mesh, list(converted.intervals)
     assert [mesh.vertex_count, mesh.edge_count, mesh.face_count] == [case[k] for k in ["V_out", "E_out", "F_out"]]
     assert intervals.count(0) == case["zero_interval_edges"]
     assert intervals.count(1) == case["unit_interval_edges"]
     assert sorted(loop_lengths(mesh)) == case["loop_lengths"]
     assert sum(mesh.valences) == case["m2"]
-
-
-def test_categories_are_there():
-    assert sum(len(cases) for cases in CASES.values()) == 286

@@ -103,7 +103,7 @@ def test_junk_is_refused(junk):
         lambda: junk @ f,
         lambda: f.inserted(junk),
         lambda: f.restricted(0, junk),
-        lambda: f.elevated(junk),
+        lambda: f.elevate(junk),
         lambda: f.embedded(junk),
         lambda: f.inner(junk),
         lambda: f.degree_reduced(1, junk),
@@ -151,6 +151,6 @@ def test_sequences_that_lie():
 @pytest.mark.parametrize("number", [-1, 2**64, 2**100, 1.5])
 def test_counts_are_counts(number):
     f = Spline(SPACE, [0, 1, 4])
-    for make in (lambda: f.elevated(number), lambda: f.derivative(number), lambda: Space(number, [0, 1]), lambda: f**number):
+    for make in (lambda: f.elevate(number), lambda: f.derivative(number), lambda: Space(number, [0, 1]), lambda: f**number):
         with pytest.raises((OverflowError, TypeError)):
             make()

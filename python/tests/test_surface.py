@@ -7,7 +7,6 @@ import numpy as np
 import oracle
 import pytest
 import scipy.interpolate
-import splipy
 from hypothesis import given
 from strategies import places, surfaces
 from symspline import Rational, RationalSurface, Space, Spline, Surface, SymsplineError
@@ -40,9 +39,9 @@ def test_values_are_those_of_the_definition(s, u, v):
 @given(surfaces(), places, places)
 def test_operators_keep_values(s, u, v):
     value = s(u, v).tolist()
-    same = [s.elevated("u"), s.inserted("v", [HALF]) if HALF not in s.v.breaks else s, s.clamped_ends(), s.simplified()]
-    same += [s.embedded(s.u.bisected(), s.v.elevated()), s.reversed(0).reversed("u"), s.transposed().transposed()]
-    same += [s.projected(s.u, s.v)[0], s.elevated("u").degree_lowered("u")[0], s.antiderivative("u").derivative("u")]
+    same = [s.elevate("u"), s.inserted("v", [HALF]) if HALF not in s.v.breaks else s, s.clamped_ends(), s.simplified()]
+    same += [s.embedded(s.u.bisected(), s.v.elevate()), s.reversed(0).reversed("u"), s.transposed().transposed()]
+    same += [s.projected(s.u, s.v)[0], s.elevate("u").degree_lowered("u")[0], s.antiderivative("u").derivative("u")]
     for other in same:
         assert other(u, v).tolist() == value and s.same_function(other)
     assert s.transposed()(v, u).tolist() == value
@@ -90,15 +89,38 @@ def test_forms_and_volumes():
     assert s.integral().tolist() == [HALF, HALF, HALF**2] and s.moment(1, 0).tolist()[0] == Fraction(1, 3)
 
 
+def test_places_on_surfaces_are_u_and_v():
+    line = Space.bezier(1)
+    least, greatest = Surface(line, line, [[0, -1], [1, 0]]).range(Fraction(1, 100))
+    assert greatest.parameter.tolist() == [1, 0] and least.parameter.tolist() == [0, 1]
+    long = Surface(Space.uniform(1, 2, 0, 4), line, [[0, 1], [5, 2], [3, 7]])
+    finer = long.inserted("u", [3]).inserted("v", [HALF])
+    kept, bound = finer.without_spare_knots_on((2, 0), (4, 1), 0)
+    assert bound == 0 and kept.same_function(long) and kept.u == long.u
+
+
+def test_what_is_along_u_is_not_along_v():
+    x, y = (Surface(LINE, LINE, rows) for rows in ([[0, 0], [1, 1]], [[0, 1], [0, 1]]))
+    f = x * x * y
+    assert f.partial(2, 0)(HALF, 1) == 2 and f.partial(1, 1)(HALF, 1) == 1 and f.partial(0, 1)(HALF, 1) == Fraction(1, 4)
+    assert f.moment(1, 0) == Fraction(1, 8) and f.moment(0, 1) == Fraction(1, 9)
+    assert f.integral((0, HALF), (1, 1)) == Fraction(1, 8) and f.integral((HALF, 0), (1, 1)) == Fraction(7, 48)
+    assert f.tangents_at(HALF, 1).tolist() == [Fraction(1, 4), 1, Fraction(1, 4)]
+    assert f.tangents_at(0.5, 1).dtype == np.float64 and f.tangents_at(0.5, 1).tolist() == [0.25, 1, 0.25]
+    stretched = Surface(LINE, LINE, [[[0, 0], [0, 1]], [[3, 1], [3, 2]]])
+    assert stretched.first_form_at(0, 0) == (10, 1, 1) and [g(0, 0) for g in stretched.first_form()] == [10, 1, 1]
+
+
 def test_ranges_of_surfaces():
     z = saddle().coordinate(2)
     least, greatest = z.range(Fraction(1, 100))
-    assert greatest.parameter == (1, 1) and greatest.value == 1 and least.bound == 0
+    assert greatest.parameter.tolist() == [1, 1] and greatest.value == 1 and least.bound == 0
     assert z.coefficient_range() == (0, 1) and (z + 1).positive_bound() > 0
     assert len(saddle().bounding_box(0.1)) == 3 and saddle().control_box()[1].tolist() == [1, 1, 1]
 
 
 def test_scipy_and_splipy_are_witnesses():
+    splipy = oracle.splipy()
     u, v = Space.clamped(3, [0.0, 0.5, 1.0]), Space.clamped(2, [0.0, 0.3, 1.0])
     s = Surface(u, v, np.random.default_rng(6).normal(size=(5, 4, 3)))
     us, vs = np.linspace(0, 1, 7), np.linspace(0, 1, 5)
@@ -166,7 +188,7 @@ def test_less_knots():
         (lambda: Surface(LINE, LINE, [1, 2, 3, 4]), "Shape"),
         (lambda: Surface(LINE, Space.bezier(2), [[1, 2], [3, 4], [5, 6]]), "Shape"),
         (lambda: saddle()(0, 2), "OutsideDomain"),
-        (lambda: saddle().elevated("v", 10**6), "DegreeTooHigh"),
+        (lambda: saddle().elevate("v", 10**6), "DegreeTooHigh"),
         (lambda: saddle().area_moment((0, 0)), "Dimensions"),
         (lambda: saddle().coordinate(0).normal(), "Dimensions"),
         (lambda: saddle() + Spline.monomial(1), "NoSuch"),

@@ -62,6 +62,15 @@ def test_a_parabola_has_one_vertex():
         curvature(PARABOLA, [2.0])
 
 
+def test_a_jump_has_two_sides():
+    # y = x² and, from 0 on, y = 2 x²: the curvature jumps from 2 to 4.
+    left = Spline(Space(2, [-1, -1, -1, 0, 0, 0]), [[-1, 1], [Fraction(-1, 2), 0], [0, 0]])
+    right = Spline(Space(2, [0, 0, 0, 1, 1, 1]), [[0, 0], [Fraction(1, 2), 0], [1, 2]])
+    (jump,) = [event for event in CurvatureProfile(left.join_continuous(right)).events if event.kind == "jump"]
+    assert jump.low == 0 and jump.curvature_before[0] <= 2 <= jump.curvature_before[1]
+    assert jump.curvature_after[0] <= 4 <= jump.curvature_after[1]
+
+
 def test_torsion_of_the_cubic():
     cubic = Spline(
         Space(3, [0] * 4 + [1] * 4),
@@ -97,6 +106,9 @@ def test_places_on_curves():
     assert nearest.feet[0].distance == pytest.approx(math.sqrt(0.75)) and nearest.bound <= math.sqrt(0.75)
     found = Projector(PARABOLA).feet([[0.0, -1.0], [0.0, -3.0]])
     assert np.allclose(found[0], 0, atol=1e-6) and np.allclose(found[2], [1, 3])
+    assert np.allclose(found[1], [[0, 0], [0, 0]], atol=1e-6)
+    parameter, point, _ = Projector(PARABOLA).feet([[0.75, 0.4]])
+    assert np.allclose(point, PARABOLA.to_float()(parameter)) and point[0, 0] > 0 and point[0, 1] != point[0, 0]
     assert np.allclose(Projector(PARABOLA).parameters_of([0.5, 0.25]), [0.5])
 
 

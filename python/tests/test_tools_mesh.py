@@ -4,7 +4,7 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from symspline import Mesh, Space, Surface, SymsplineError
+from symspline import Mesh, Space, Spline, Surface, SymsplineError
 from symspline.mesh import CatmullClark, ControlPolygon, DooSabin, mesh_from_obj, mesh_to_obj
 
 CORNERS = [[k & 1, k >> 1 & 1, k >> 2] for k in range(8)]
@@ -79,6 +79,14 @@ def test_chaikin_is_bisection():
     cubic = polygon.converted()
     assert cubic.degree == 3
     assert list(cubic.curve()(1)) == list(curve(1))
+
+
+def test_meshes_have_no_arithmetic():
+    f = Spline(Space.bezier(1), [1, 2])
+    for make in (lambda: f + CUBE, lambda: CUBE * f, lambda: f.cross(CUBE)):
+        with pytest.raises(SymsplineError) as caught:
+            make()
+        assert caught.value.kind == "NoSuch" and caught.value.data["operation"]
 
 
 def test_obj_text():

@@ -7,6 +7,7 @@ import pytest
 from symspline import Mesh, Rational, Space, Spline, Surface, SymsplineError
 from symspline.analysis import CurvatureProfile, bend_condition, torsion_at, zeros
 from symspline.deform import Elastic, Material, Sculptor
+from symspline.fine_tune import NearestScale
 from symspline.mesh import CatmullClark, DooSabin
 from symspline.shape import (
     Constraints,
@@ -43,6 +44,16 @@ def test_the_share_of_the_second_neighbour():
     drag = Drag(CURVE, X, "neighbours", gamma=Fraction(1, 4))
     (first,), (second,) = drag.matrix
     assert 3 * second == first
+
+
+def test_a_float_among_the_options_makes_floats():
+    assert Drag(CURVE, X, shares=[(2, Fraction(1, 2))]).matrix.dtype == object
+    drag = Drag(CURVE, X, shares=[(2, 0.5)])
+    assert drag.matrix.dtype == np.float64 and not drag.applied(CURVE, [1, 2]).is_exact
+    near = [NearestScale(CURVE, Space.bezier(1, 0, 4), [("coefficient", 0, x)]) for x in (2, 2.0)]
+    assert [n.to(Spline(Space.bezier(1, 0, 4), [1, 1])).is_exact for n in near] == [True, False]
+    assert isinstance(WeightPull(NURBS, X, 2, within=(1, 4)).weight, Fraction)
+    assert isinstance(WeightPull(NURBS, X, 2, within=(1.0, 4.0)).weight, float)
 
 
 def test_what_cannot_be_met_together():

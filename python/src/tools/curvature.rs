@@ -1,13 +1,14 @@
 //! Zeros and curvature of curves.
 
 use crate::error::{Failure, Result};
-use crate::numbers::{Array, Num};
-use crate::tools::values::{Point, Thing, num, over, record};
+use crate::numbers::{Array, Num, Point};
+use crate::record::record;
+use crate::value::Thing;
 use pyo3::prelude::*;
 use symspline::Bounds;
 use symspline_dynamic::tools::curvature::{self as bend, AnyEvent, Profile};
 use symspline_dynamic::tools::places::{self, AnyZero, Spot};
-use symspline_dynamic::{Over, Value};
+use symspline_dynamic::{Meeting as _, Over};
 
 /// The shape of an array, and its numbers as floats.
 pub fn floats(array: Array) -> Result<(Vec<usize>, Vec<f64>)> {
@@ -17,23 +18,19 @@ pub fn floats(array: Array) -> Result<(Vec<usize>, Vec<f64>)> {
     }
 }
 
-/// A shape over floats.
-pub fn rounded(shape: Thing) -> Result<Value> {
-    over(shape.0, false)
-}
-
 /// Floats as an array of a shape.
 pub fn out(shape: Vec<usize>, all: Vec<f64>) -> Array {
     Array::new(shape, Over::Float(all))
 }
 
 record! {
+    "symspline.analysis"
     /// A zero, a crossing or a foot: a parameter that is known or enclosed, or a whole interval.
     Zero {
         /// The lower bound of the parameter, or the start.
-        low: Thing,
+        low: Num,
         /// The upper bound, equal where the parameter is known; or the end.
-        high: Thing,
+        high: Num,
         /// Whether it is the whole interval.
         along: bool,
         /// How often it counts.
@@ -50,20 +47,21 @@ pub fn zeros_out(zeros: Vec<AnyZero>) -> Vec<Zero> {
     let one = |zero: AnyZero| {
         let Spot { low, high, along } = zero.spot;
         let [before, after] = zero.signs;
-        Zero { low: num(low), high: num(high), along, multiplicity: zero.multiplicity, before, after }
+        Zero { low: Num(low), high: Num(high), along, multiplicity: zero.multiplicity, before, after }
     };
     zeros.into_iter().map(one).collect()
 }
 
 record! {
+    "symspline.analysis"
     /// An event of a curvature.
     Event {
         /// "inflection", "maximum", "minimum", "jump", "stationary", "cusp", "corner" or "gap".
         kind: String,
         /// The lower bound of its parameter, or where it starts.
-        low: Thing,
+        low: Num,
         /// The upper bound, or where it ends.
-        high: Thing,
+        high: Num,
         /// Whether it goes on from one to the other.
         along: bool,
         /// Bounds of the curvature just before.
@@ -82,14 +80,14 @@ fn bounds(b: Bounds) -> (f64, f64) {
 /// The curvatures at parameters, an array of their shape, over floats: signed in the plane.
 #[pyfunction]
 fn curvature(py: Python<'_>, curve: Thing, parameters: Array) -> Result<Array> {
-    let (curve, (shape, at)) = (rounded(curve)?, floats(parameters)?);
+    let (curve, (shape, at)) = (curve.0.to_float()?, floats(parameters)?);
     Ok(out(shape, py.detach(|| bend::curvatures(&curve, &at))?))
 }
 
 /// The tips of the teeth of a curvature comb at parameters, of shape `(n, d)`.
 #[pyfunction]
 fn curvature_comb(py: Python<'_>, curve: Thing, parameters: Array, scale: f64) -> Result<Array> {
-    let (curve, (_, at)) = (rounded(curve)?, floats(parameters)?);
+    let (curve, (_, at)) = (curve.0.to_float()?, floats(parameters)?);
     let tips = py.detach(|| bend::comb(&curve, &at, scale))?;
     Ok(out(vec![at.len(), curve.dim()], tips))
 }
@@ -108,8 +106,8 @@ fn torsion(py: Python<'_>, curve: Thing) -> Result<Thing> {
 
 /// The torsion of a curve in space at a parameter.
 #[pyfunction]
-fn torsion_at(curve: Thing, x: Num) -> Result<Thing> {
-    Ok(num(bend::torsion_at(&over(curve.0, x.0.is_exact())?, &x.0)?))
+fn torsion_at(curve: Thing, x: Num) -> Result<Num> {
+    Ok(Num(bend::torsion_at(&*curve.0.among(x.0.is_exact())?, &x.0)?))
 }
 
 /// A function with the sign of the curvature of a plane curve; with `slope` one with the sign of its slope.
@@ -121,7 +119,7 @@ fn bend_condition(py: Python<'_>, curve: Thing, slope: bool) -> Result<Thing> {
 
 /// The curvature of a curve along its parameter: all events, proved, and samples to draw. Of exact curves it is exact. With
 /// `tolerance`, corners that turn by no more and jumps that are no larger, relatively, are passed over.
-#[pyclass(frozen, module = "symspline")]
+#[pyclass(frozen, module = "symspline.analysis")]
 #[derive(Debug)]
 pub struct CurvatureProfile(Box<dyn Profile>);
 
@@ -139,8 +137,8 @@ impl CurvatureProfile {
         let one =
             |AnyEvent { kind, spot: Spot { low, high, along }, curvature: [before, after], turn }| Event {
                 kind,
-                low: num(low),
-                high: num(high),
+                low: Num(low),
+                high: Num(high),
                 along,
                 curvature_before: bounds(before),
                 curvature_after: bounds(after),
@@ -163,8 +161,8 @@ impl CurvatureProfile {
 
     /// The stretches between events: start, end, and 1, -1 or 0 where the curvature rises, falls or stays.
     #[getter]
-    fn runs(&self) -> Vec<(Thing, Thing, i8)> {
-        self.0.runs().into_iter().map(|(a, b, trend)| (num(a), num(b), trend)).collect()
+    fn runs(&self) -> Vec<(Num, Num, i8)> {
+        self.0.runs().into_iter().map(|(a, b, trend)| (Num(a), Num(b), trend)).collect()
     }
 
     /// 1 if the curvature is proved never to fall between two parameters, -1 if never to rise, 0 if it stays; else none.
@@ -206,14 +204,14 @@ fn zeros(py: Python<'_>, function: Thing) -> Result<Vec<Zero>> {
 /// Where a curve crosses the line or plane `normal · x = offset`, each place proved.
 #[pyfunction]
 fn crossings(py: Python<'_>, curve: Thing, normal: Point, offset: Num) -> Result<Vec<Zero>> {
-    let curve = over(curve.0, normal.0.is_exact() && offset.0.is_exact())?;
+    let curve = curve.0.among(normal.0.is_exact() && offset.0.is_exact())?;
     Ok(zeros_out(py.detach(|| places::crossings(&curve, &normal.0, &offset.0))?))
 }
 
 /// The feet of the perpendiculars from a point on a curve, each proved.
 #[pyfunction]
 fn feet(py: Python<'_>, curve: Thing, point: Point) -> Result<Vec<Zero>> {
-    let curve = over(curve.0, point.0.is_exact())?;
+    let curve = curve.0.among(point.0.is_exact())?;
     Ok(zeros_out(py.detach(|| places::feet(&curve, &point.0))?))
 }
 

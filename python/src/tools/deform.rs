@@ -1,15 +1,17 @@
 //! Curves and surfaces as elastic bodies.
 
+use crate::arguments::word;
 use crate::error::{Failure, Result};
-use crate::numbers::{Array, Num};
+use crate::numbers::{Array, Num, Point, unite};
 use crate::space::Space;
 use crate::tools::shape::{Wish, alike, wishes};
-use crate::tools::values::{Name, OneOrMore, Point, Points, Thing, num, over, word, zero};
+use crate::tools::values::{Name, OneOrMore};
+use crate::value::Thing;
 use pyo3::prelude::*;
 use pyo3::types::{PyString, PyTuple};
 use symspline::Spread;
 use symspline_dynamic::tools::elastic::{self, Anchors, AnyBreadth, AnyElastic, Load, Pulls};
-use symspline_dynamic::{Coords, Over, Value};
+use symspline_dynamic::{Coords, Meeting as _, Over, Value};
 
 /// Which coefficients may move: "whole", "all" (but the ends), ("ends", n), ("range", a, b), ("around", x, n), ("within", a, b), a
 /// list of indices; of a sculptor also ("nearest", n) and ("distance", d).
@@ -87,27 +89,16 @@ impl<'py> FromPyObject<'_, 'py> for Breadths {
 pub const SPREADS: [(&str, Spread); 2] = [("hat", Spread::Hat), ("point", Spread::Point)];
 
 /// An elastic material: what the derivatives of a deformation cost, `Material(stretching, bending, hardness=0)`.
-#[pyclass(frozen, eq, module = "symspline", from_py_object)]
+#[pyclass(frozen, eq, module = "symspline.deform", from_py_object)]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Material(Coords);
 
 #[pymethods]
 impl Material {
     #[new]
-    #[pyo3(signature = (stretching, bending, hardness=zero()))]
+    #[pyo3(signature = (stretching, bending, hardness=Num::int(0)))]
     fn new(stretching: Num, bending: Num, hardness: Num) -> Result<Self> {
-        let numbers = [hardness.0, stretching.0, bending.0];
-        let exact = numbers.iter().all(Over::is_exact);
-        let all: Result<Vec<Thing>> = numbers.iter().map(|x| Ok(num(over(x.clone(), exact)?))).collect();
-        let mut coords = if exact { Over::Exact(Vec::new()) } else { Over::Float(Vec::new()) };
-        for x in all? {
-            match (&mut coords, x.0) {
-                (Over::Exact(all), Value::Number(Over::Exact(x))) => all.push(x),
-                (Over::Float(all), Value::Number(Over::Float(x))) => all.push(x),
-                _ => {}
-            }
-        }
-        Self::checked(coords)
+        Self::checked(unite(vec![hardness.0, stretching.0, bending.0]))
     }
 
     /// The material with weights for the derivatives of order 0, 1, 2 and so on.
@@ -123,16 +114,25 @@ impl Material {
     }
 
     /// What the shape costs, a function, curve or surface: a sum of squares.
-    fn energy(&self, py: Python<'_>, shape: Thing) -> Result<Thing> {
-        let shape = over(shape.0, self.0.is_exact())?;
-        Ok(num(py.detach(|| elastic::energy(&shape, std::slice::from_ref(&self.0)))?))
+    fn energy(&self, py: Python<'_>, shape: Thing) -> Result<Num> {
+        let shape = shape.0.among(self.0.is_exact())?;
+        Ok(Num(py.detach(|| elastic::energy(&shape, std::slice::from_ref(&self.0)))?))
     }
 
     /// The stiffness matrix on the coefficients of a space.
     fn matrix(&self, py: Python<'_>, space: Space) -> Result<Array> {
-        let space = over(space.0, self.0.is_exact())?;
-        let dim = symspline_dynamic::both!(&space, s => s.dim());
+        let space = space.0.among(self.0.is_exact())?;
+        let dim = symspline_dynamic::both!(&*space, s => s.dim());
         Ok(Array::new(vec![dim, dim], py.detach(|| elastic::stiffness(&space, &self.0))?))
+    }
+
+    fn __repr__(&self) -> String {
+        format!("<Material: weights {}>", Value::from(self.0.clone()))
+    }
+
+    /// What makes it again, and with what.
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, (Array,))> {
+        Ok((slf.get_type().getattr("of_orders")?, (slf.get().weights(),)))
     }
 }
 
@@ -166,7 +166,7 @@ pub fn load(forces: Vec<(Point, Point)>, at_breaks: Option<Array>, density: Opti
 /// points may move, one for each direction: "whole", "all" (but the ends), ("ends", n), ("range", a, b), ("around", x, n), ("within",
 /// a, b), or indices. Forces are spread by "hat" functions of the breaks or by the basis functions at the "point". Numbers that come
 /// later are taken into the field of the body.
-#[pyclass(frozen, module = "symspline")]
+#[pyclass(frozen, module = "symspline.deform")]
 #[derive(Debug)]
 pub struct Elastic(pub AnyElastic);
 
@@ -183,7 +183,7 @@ impl Elastic {
     ) -> Result<Self> {
         let (spread, (materials, exact), (all, sure)) =
             (word("spread", spread, &SPREADS)?, materials(material), breadths(breadth.0));
-        let shape = over(shape.0, exact && sure)?;
+        let shape = shape.0.among(exact && sure)?;
         Ok(Self(py.detach(|| AnyElastic::of_shape(&shape, &materials, &all, spread))?))
     }
 
@@ -228,10 +228,10 @@ impl Elastic {
         forces: Vec<(Point, Point)>,
         at_breaks: Option<Array>,
         density: Option<Thing>,
-    ) -> Result<(Vec<usize>, Points)> {
+    ) -> Result<(Vec<usize>, Array)> {
         let (shape, load) = (alike(shape.0, self.0.is_exact())?, load(forces, at_breaks, density));
         let (places, coords) = py.detach(|| self.0.displacements(&shape, &load))?;
-        Ok((places, Points { dim: shape.dim(), coords }))
+        Ok((places, Array::of_points(shape.dim(), coords)))
     }
 
     /// Constraints to be met with the least energy, as those of `Constraints`.
@@ -250,7 +250,7 @@ impl Elastic {
 }
 
 /// A force at one place of a shape, ready to be changed.
-#[pyclass(frozen, module = "symspline")]
+#[pyclass(frozen, module = "symspline.deform")]
 #[derive(Debug)]
 pub struct Pull(Box<dyn Pulls>, bool);
 
@@ -258,8 +258,8 @@ pub struct Pull(Box<dyn Pulls>, bool);
 impl Pull {
     /// How far the point moves under a unit force.
     #[getter]
-    fn give(&self) -> Thing {
-        num(self.0.give())
+    fn give(&self) -> Num {
+        Num(self.0.give())
     }
 
     /// The control points that move, and how far each does under a unit force.
@@ -290,27 +290,27 @@ impl Pull {
 }
 
 /// Constraints on an elastic shape, ready to be changed. All methods give the shape and the forces, a row for each constraint.
-#[pyclass(frozen, module = "symspline")]
+#[pyclass(frozen, module = "symspline.deform")]
 #[derive(Debug)]
 pub struct Anchored(Box<dyn Anchors>, bool);
 
 impl Anchored {
-    fn out((shape, coords): elastic::Moved) -> (Thing, Points) {
+    fn out((shape, coords): elastic::Moved) -> (Thing, Array) {
         let dim = shape.dim();
-        (shape.into(), Points { dim, coords })
+        (shape.into(), Array::of_points(dim, coords))
     }
 }
 
 #[pymethods]
 impl Anchored {
     /// The shape with the constrained values changed.
-    fn dragged(&self, py: Python<'_>, shape: Thing, changes: Array) -> Result<(Thing, Points)> {
+    fn dragged(&self, py: Python<'_>, shape: Thing, changes: Array) -> Result<(Thing, Array)> {
         let shape = alike(shape.0, self.1)?;
         Ok(Self::out(py.detach(|| self.0.dragged(&shape, &changes.numbers))?))
     }
 
     /// The shape with these constrained values.
-    fn met(&self, py: Python<'_>, shape: Thing, targets: Array) -> Result<(Thing, Points)> {
+    fn met(&self, py: Python<'_>, shape: Thing, targets: Array) -> Result<(Thing, Array)> {
         let shape = alike(shape.0, self.1)?;
         Ok(Self::out(py.detach(|| self.0.met(&shape, &targets.numbers))?))
     }
@@ -324,13 +324,13 @@ impl Anchored {
         forces: Vec<(Point, Point)>,
         at_breaks: Option<Array>,
         density: Option<Thing>,
-    ) -> Result<(Thing, Points)> {
+    ) -> Result<(Thing, Array)> {
         let (shape, load) = (alike(shape.0, self.1)?, load(forces, at_breaks, density));
         Ok(Self::out(py.detach(|| self.0.pushed(&shape, &load))?))
     }
 
     /// The shape without any other forces.
-    fn relaxed(&self, py: Python<'_>, shape: Thing) -> Result<(Thing, Points)> {
+    fn relaxed(&self, py: Python<'_>, shape: Thing) -> Result<(Thing, Array)> {
         let shape = alike(shape.0, self.1)?;
         Ok(Self::out(py.detach(|| self.0.relaxed(&shape))?))
     }

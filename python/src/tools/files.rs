@@ -1,7 +1,7 @@
 //! Reading and writing files.
 
 use crate::error::{Failure, Result};
-use crate::tools::values::Thing;
+use crate::value::Thing;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 use std::path::PathBuf;

@@ -1,9 +1,10 @@
 //! Warps, flat parts and bends.
 
+use crate::arguments::{Along, word};
 use crate::error::{Failure, Result};
-use crate::numbers::{Array, Num};
-use crate::tools::values::{Point, Rounded as _, Thing, num, over, pair, record, word};
-use crate::tools::words::direction;
+use crate::numbers::{Array, Num, Point};
+use crate::record::record;
+use crate::value::Thing;
 use pyo3::prelude::*;
 use std::cell::RefCell;
 use symspline::{Bump, Direction, Side, bent_point};
@@ -11,7 +12,7 @@ use symspline_dynamic::tools::bend::{self, About, AnyBend, Centre, Ratio};
 use symspline_dynamic::tools::flat::{self, AnyFlatten, AnyOnto, AnyPart};
 use symspline_dynamic::tools::shape::point;
 use symspline_dynamic::tools::warp::{self, AnyRegion, Assignment, Refine};
-use symspline_dynamic::{Coords, Field, Number, Over, Value};
+use symspline_dynamic::{Coords, Field, Meeting as _, Number, Over, Value};
 
 /// Knots to insert: an `int` says how many, any other number how long spans may be.
 #[derive(Debug)]
@@ -50,18 +51,19 @@ fn finer(refine: Option<FinerBoth>, both: bool) -> [Option<Refine>; 2] {
 }
 
 record! {
+    "symspline.shape"
     /// A shape that was changed in a region.
     Reshaped {
         /// The shape.
         shape: Thing,
         /// Knots that were inserted: the direction, the knot.
-        inserted: Vec<(String, Thing)>,
+        inserted: Vec<(String, Num)>,
         /// How many control points were moved.
         moved: usize,
         /// Knots that were removed again.
-        removed: Vec<(String, Thing)>,
+        removed: Vec<(String, Num)>,
         /// How far that took the shape at most.
-        bound: Thing,
+        bound: Num,
     }
 }
 
@@ -102,7 +104,7 @@ fn warped(
         },
     };
     exact &= assignment != Assignment::Chords;
-    let shape = over(shape.0, exact)?;
+    let shape = shape.0.among(exact).map_err(Failure::from)?;
     let region = AnyRegion { from: start.0, to: end.0, refine, thinned: thinned.map(|x| x.0) };
     let raised: RefCell<Option<PyErr>> = RefCell::new(None);
     let moved = |share: &Coords, parameter: &Coords| {
@@ -140,7 +142,7 @@ fn warped(
     let named = |knots: Vec<(Direction, Number)>| {
         knots
             .into_iter()
-            .map(|(d, x)| (String::from(if d == Direction::U { "u" } else { "v" }), num(x)))
+            .map(|(d, x)| (String::from(if d == Direction::U { "u" } else { "v" }), Num(x)))
             .collect()
     };
     Ok(Reshaped {
@@ -148,19 +150,19 @@ fn warped(
         inserted: named(found.inserted),
         moved: found.moved,
         removed: named(found.removed),
-        bound: num(found.bound),
+        bound: Num(found.bound),
     })
 }
 
 /// The bump of a weight at `t`: it rises smoothly from 0 at 0 to 1 at 1/2 and falls to 0 at 1; the greater the weight, the steeper.
 /// With a pair for `t` it is the bump over the unit square.
 #[pyfunction]
-fn bump(weight: Num, t: Point) -> Result<Thing> {
-    fn of<T: Field>(weight: &Number, t: &Coords) -> Result<Thing> {
+fn bump(weight: Num, t: Point) -> Result<Num> {
+    fn of<T: Field>(weight: &Number, t: &Coords) -> Result<Num> {
         let bump = Bump::new(T::of(weight)?)?;
         match &T::all_of(t)?[..] {
-            [t] => Ok(num(bump.at(t).number())),
-            [s, t] => Ok(num(bump.at_pair(&(s.clone(), t.clone())).number())),
+            [t] => Ok(Num(bump.at(t).number())),
+            [s, t] => Ok(Num(bump.at_pair(&(s.clone(), t.clone())).number())),
             _ => Err(Failure::new("Shape", "a bump is over one parameter or two")),
         }
     }
@@ -191,6 +193,7 @@ fn part(object: &Bound<'_, PyAny>, exact: &mut bool) -> PyResult<AnyPart> {
 }
 
 record! {
+    "symspline.shape"
     /// What flattening made.
     Flattened {
         /// The shape.
@@ -198,9 +201,9 @@ record! {
         /// The control points that were projected, as places in the list.
         projected: Vec<usize>,
         /// The flat parts: of each from where to where along each direction.
-        flat: Vec<Vec<(Thing, Thing)>>,
+        flat: Vec<Vec<(Num, Num)>>,
         /// Outside of this nothing changed; none if nothing changed at all.
-        changed: Option<Vec<(Thing, Thing)>>,
+        changed: Option<Vec<(Num, Num)>>,
     }
 }
 
@@ -263,9 +266,9 @@ fn flattened(
         refine,
         until_flat,
     };
-    let shape = over(shape.0, exact)?;
+    let shape = shape.0.among(exact).map_err(Failure::from)?;
     let found = py.detach(|| flat::flattened(&shape, &how)).map_err(Failure::from)?;
-    let ends = |part: Vec<(Number, Number)>| part.into_iter().map(pair).collect();
+    let ends = |part: Vec<(Number, Number)>| part.into_iter().map(|(a, b)| (Num(a), Num(b))).collect();
     Ok(Flattened {
         shape: found.shape.into(),
         projected: found.projected,
@@ -281,7 +284,7 @@ fn flattened(
 /// ones bend more. Between the knots of `interval` alone, what is outside being carried along unless `tails` is false; `refine`
 /// inserts knots first. Over fractions, where square roots may not be there, an error says so.
 #[pyfunction]
-#[pyo3(signature = (shape, centre, ratio, *, radius=None, about=None, normal=None, axis=None, direction="u", interval=None, refine=None,
+#[pyo3(signature = (shape, centre, ratio, *, radius=None, about=None, normal=None, axis=None, direction=Along(Direction::U), interval=None, refine=None,
     tails=true))]
 #[allow(clippy::too_many_arguments, reason = "Python names them")]
 fn bent(
@@ -293,19 +296,19 @@ fn bent(
     about: Option<Point>,
     normal: Option<Point>,
     axis: Option<Point>,
-    direction: &str,
+    direction: Along,
     interval: Option<(Num, Num)>,
     refine: Option<Finer>,
     tails: bool,
 ) -> Result<Thing> {
     let refine = refine.map(|r| r.0);
-    let mut exact = centre.0.is_exact() && ratio.0.exact() && is_exact(&refine) && shape.0.exact();
+    let mut exact = centre.0.is_exact() && ratio.0.is_exact() && is_exact(&refine) && shape.0.is_exact();
     for vector in [&about, &normal, &axis].into_iter().flatten() {
         exact &= vector.0.is_exact();
     }
     exact &= radius.as_ref().is_none_or(|r| r.0.is_exact());
     exact &= interval.as_ref().is_none_or(|(a, b)| a.0.is_exact() && b.0.is_exact());
-    let ratio = match over(ratio.0, exact)? {
+    let ratio = match ratio.0.among(exact)?.into_owned() {
         Value::Number(x) => Ratio::Constant(x),
         Value::Spline(f) => Ratio::Along(f),
         Value::Surface(f) => Ratio::Over(f),
@@ -326,12 +329,12 @@ fn bent(
         centre: Centre { point: centre.0, axis: axis.map(|v| v.0) },
         about,
         ratio,
-        direction: self::direction(direction)?,
+        direction: direction.0,
         interval: interval.map(|(a, b)| (a.0, b.0)),
         refine,
         tails,
     };
-    let shape = over(shape.0, exact)?;
+    let shape = shape.0.among(exact)?;
     Ok(py.detach(|| bend::bent(&shape, &how))?.into())
 }
 

@@ -1,15 +1,16 @@
 //! Lengths, frames, nearest points.
 
 use crate::error::Result;
-use crate::numbers::Array;
-use crate::tools::curvature::{floats, out, rounded};
-use crate::tools::values::{Point, Thing, record};
+use crate::numbers::{Array, Point};
+use crate::record::record;
+use crate::tools::curvature::{floats, out};
+use crate::value::Thing;
 use pyo3::prelude::*;
 use symspline_dynamic::tools::measure::{self, AllFeet, AnyFoot, Lengths, Nears};
 use symspline_dynamic::{Coords, Over};
 
 /// The arc length of a curve, prepared, to a relative `accuracy`.
-#[pyclass(frozen, module = "symspline")]
+#[pyclass(frozen, module = "symspline.analysis")]
 #[derive(Debug)]
 pub struct ArcLength(Box<dyn Lengths>);
 
@@ -18,7 +19,7 @@ impl ArcLength {
     #[new]
     #[pyo3(signature = (curve, accuracy=1e-12))]
     fn new(py: Python<'_>, curve: Thing, accuracy: f64) -> Result<Self> {
-        let curve = rounded(curve)?;
+        let curve = curve.0.to_float()?;
         Ok(Self(py.detach(|| measure::arc_length(&curve, accuracy))?))
     }
 
@@ -66,7 +67,7 @@ fn split(all: Vec<f64>, count: usize, d: usize) -> (Array, Array) {
 /// The Frenet frames of a curve at parameters: points of shape `(n, d)` and axes of shape `(n, d, d)`, the tangent first.
 #[pyfunction]
 fn frames(py: Python<'_>, curve: Thing, parameters: Array) -> Result<(Array, Array)> {
-    let (curve, (_, at)) = (rounded(curve)?, floats(parameters)?);
+    let (curve, (_, at)) = (curve.0.to_float()?, floats(parameters)?);
     let all = py.detach(|| measure::frames(&curve, &at))?;
     Ok(split(all, at.len(), curve.dim()))
 }
@@ -80,13 +81,14 @@ fn rotation_minimising_frames(
     parameters: Array,
     start: Option<Point>,
 ) -> Result<(Array, Array)> {
-    let (curve, (_, at)) = (rounded(curve)?, floats(parameters)?);
+    let (curve, (_, at)) = (curve.0.to_float()?, floats(parameters)?);
     let start: Option<Coords> = start.map(|v| v.0);
     let all = py.detach(|| measure::still_frames(&curve, &at, start.as_ref()))?;
     Ok(split(all, at.len(), 3))
 }
 
 record! {
+    "symspline.analysis"
     /// A point of a curve or surface with its distance from a given point.
     Foot {
         /// The parameter, of surfaces a pair.
@@ -99,6 +101,7 @@ record! {
 }
 
 record! {
+    "symspline.analysis"
     /// All points that are nearest, within an accuracy.
     Nearest {
         /// The feet, nearest first.
@@ -120,7 +123,7 @@ fn foot((parameter, point, distance): AnyFoot) -> Foot {
 }
 
 /// A curve or surface prepared for the nearest points of many points, over floats.
-#[pyclass(frozen, module = "symspline")]
+#[pyclass(frozen, module = "symspline.analysis")]
 #[derive(Debug)]
 pub struct Projector(Box<dyn Nears>);
 
@@ -128,7 +131,7 @@ pub struct Projector(Box<dyn Nears>);
 impl Projector {
     #[new]
     fn new(py: Python<'_>, shape: Thing) -> Result<Self> {
-        let shape = rounded(shape)?;
+        let shape = shape.0.to_float()?;
         Ok(Self(py.detach(|| measure::projector(&shape))?))
     }
 

@@ -1,16 +1,18 @@
 //! Where curves and surfaces meet, and curvatures of surfaces.
 
 use crate::error::{Failure, Result};
-use crate::numbers::Num;
-use crate::tools::curvature::{rounded, zeros_out};
+use crate::numbers::{Num, Point};
+use crate::record::record;
+use crate::tools::curvature::zeros_out;
 use crate::tools::measure::float_point;
-use crate::tools::values::{Point, Thing, num, over, record};
+use crate::value::Thing;
 use pyo3::prelude::*;
 use symspline::{Certainty, Passage};
-use symspline_dynamic::Value;
 use symspline_dynamic::tools::{meet, places};
+use symspline_dynamic::{Meeting as _, Value};
 
 record! {
+    "symspline.analysis"
     /// A place where two plane curves, or a line and a surface, meet.
     Meeting {
         /// The parameters on both curves; of a line and a surface those of the surface.
@@ -22,13 +24,14 @@ record! {
         /// Whether it is proved that there is exactly one solution in the ranges.
         is_proved: bool,
         /// "crosses", "touches", "ends" or "unknown"; nothing for a line and a surface.
-        passage: Option<&'static str>,
+        passage: Option<String>,
         /// The parameter on the line, if one is met.
         along: Option<f64>,
     }
 }
 
 record! {
+    "symspline.analysis"
     /// All places where two things meet.
     Meetings {
         /// Single places.
@@ -42,19 +45,19 @@ record! {
 #[pyfunction]
 #[pyo3(signature = (first, second, tolerance=1e-9))]
 fn intersections(py: Python<'_>, first: Thing, second: Thing, tolerance: f64) -> Result<Meetings> {
-    let (first, second) = (rounded(first)?, rounded(second)?);
+    let (first, second) = (first.0.to_float()?, second.0.to_float()?);
     let found = py.detach(|| meet::intersections(&first, &second, tolerance))?;
     let one = |m: &symspline::Meeting| Meeting {
         parameters: m.parameters.into(),
         ranges: m.ranges.into(),
         point: float_point(m.point.iter().copied().collect()),
         is_proved: m.certainty == Certainty::Proved,
-        passage: Some(match m.passage {
+        passage: Some(String::from(match m.passage {
             Passage::Crosses => "crosses",
             Passage::Touches => "touches",
             Passage::Ends => "ends",
             Passage::Unknown => "unknown",
-        }),
+        })),
         along: None,
     };
     let overlap =
@@ -77,12 +80,13 @@ fn meet_line<'py>(
     tolerance: f64,
 ) -> PyResult<Bound<'py, PyAny>> {
     if matches!(shape.0, Value::Spline(_) | Value::Rational(_)) {
-        let curve = over(shape.0, origin.0.is_exact() && direction.0.is_exact())?;
+        let exact = origin.0.is_exact() && direction.0.is_exact();
+        let curve = shape.0.among(exact).map_err(Failure::from)?;
         let found =
             py.detach(|| places::line_crossings(&curve, &origin.0, &direction.0)).map_err(Failure::from)?;
         return zeros_out(found).into_pyobject(py);
     }
-    let surface = rounded(shape)?;
+    let surface = shape.0.to_float().map_err(Failure::from)?;
     let found = py
         .detach(|| meet::line_meetings(&surface, &origin.0, &direction.0, tolerance))
         .map_err(Failure::from)?;
@@ -106,12 +110,13 @@ fn meet_line<'py>(
 
 /// The Gaussian curvature of a surface at a point, exact of exact surfaces.
 #[pyfunction]
-fn gaussian_curvature(surface: Thing, u: Num, v: Num) -> Result<Thing> {
-    let surface = over(surface.0, u.0.is_exact() && v.0.is_exact())?;
-    Ok(num(meet::gaussian_curvature(&surface, &u.0, &v.0)?))
+fn gaussian_curvature(surface: Thing, u: Num, v: Num) -> Result<Num> {
+    let surface = surface.0.among(u.0.is_exact() && v.0.is_exact())?;
+    Ok(Num(meet::gaussian_curvature(&surface, &u.0, &v.0)?))
 }
 
 record! {
+    "symspline.analysis"
     /// The curvatures of a surface at a point.
     SurfaceCurvatures {
         /// The mean curvature.
@@ -128,7 +133,7 @@ record! {
 /// Mean and principal curvatures of a surface at a point, over floats.
 #[pyfunction]
 fn surface_curvatures(surface: Thing, u: f64, v: f64) -> Result<SurfaceCurvatures> {
-    let (mean, found) = meet::principal_curvatures(&rounded(surface)?, u, v)?;
+    let (mean, found) = meet::principal_curvatures(&surface.0.to_float()?, u, v)?;
     let directions = found.directions.map(|[a, b]| {
         let vector = |d: symspline::PrincipalDirection<f64>| float_point(d.space.iter().copied().collect());
         (vector(a), vector(b))

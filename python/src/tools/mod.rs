@@ -1,7 +1,6 @@
 //! The tools: functions and classes over the shapes.
 
 // From the ground up: a module uses only what stands above it.
-mod mesh;
 mod values;
 mod words;
 mod tune;
@@ -21,7 +20,6 @@ use pyo3::prelude::*;
 
 /// Adds all of them to the module.
 pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_class::<mesh::Mesh>()?;
     tune::register(module)?;
     tuner::register(module)?;
     shape::register(module)?;

@@ -1,16 +1,19 @@
 //! Shapes in the hands of a sculptor.
 
+use crate::arguments::word;
 use crate::error::Result;
-use crate::numbers::Array;
+use crate::numbers::{Array, Point};
 use crate::tools::deform::{Breadths, Elastic, Material, SPREADS, breadths, load, materials};
-use crate::tools::values::{Name, OneOrMore, Point, Thing, over, word};
+use crate::tools::values::{Name, OneOrMore};
+use crate::value::Thing;
 use pyo3::prelude::*;
 use std::sync::{Mutex, PoisonError};
+use symspline_dynamic::Meeting as _;
 use symspline_dynamic::tools::sculpt::{self, Sculpts};
 
 /// A shape in the hands of a sculptor: grab, drag, commit, undo. `reach` says how far grips reach, as the breadths of `Elastic`, or
 /// ("nearest", n), ("distance", d).
-#[pyclass(frozen, module = "symspline")]
+#[pyclass(frozen, module = "symspline.deform")]
 #[derive(Debug)]
 pub struct Sculptor(Mutex<Box<dyn Sculpts>>);
 
@@ -37,7 +40,7 @@ impl Sculptor {
             let (all, sure) = breadths(r.0);
             (Some(all), sure)
         });
-        let shape = over(shape.0, exact && sure)?;
+        let shape = shape.0.among(exact && sure)?;
         Ok(Self(Mutex::new(sculpt::sculptor(&shape, &materials, reach.as_deref(), spread, limit)?)))
     }
 
@@ -49,14 +52,14 @@ impl Sculptor {
 
     /// Holds the shape at a place.
     #[pyo3(signature = (at, reach=None))]
-    fn grab(&self, at: Point, reach: Option<Breadths>) -> Result<()> {
+    fn grab(&self, py: Python<'_>, at: Point, reach: Option<Breadths>) -> Result<()> {
         let reach = reach.map(|r| breadths(r.0).0);
-        Ok(self.with(|s| s.grab(&at.0, reach.as_deref()))?)
+        Ok(py.detach(|| self.with(|s| s.grab(&at.0, reach.as_deref())))?)
     }
 
     /// Shows the shape with the place that is held at a target: the force that this takes.
-    fn drag_to(&self, target: Point) -> Result<Point> {
-        Ok(Point(self.with(|s| s.drag_to(&target.0))?))
+    fn drag_to(&self, py: Python<'_>, target: Point) -> Result<Point> {
+        Ok(Point(py.detach(|| self.with(|s| s.drag_to(&target.0)))?))
     }
 
     /// Shows the shape under a force at the place that is held.
@@ -68,13 +71,14 @@ impl Sculptor {
     #[pyo3(signature = (body, forces=Vec::new(), *, at_breaks=None, density=None))]
     fn push_all(
         &self,
+        py: Python<'_>,
         body: &Elastic,
         forces: Vec<(Point, Point)>,
         at_breaks: Option<Array>,
         density: Option<Thing>,
     ) -> Result<()> {
         let load = load(forces, at_breaks, density);
-        Ok(self.with(|s| s.push_all(&body.0, &load))?)
+        Ok(py.detach(|| self.with(|s| s.push_all(&body.0, &load)))?)
     }
 
     /// Lets go and keeps what is shown; whether there was anything.

@@ -1,25 +1,26 @@
 //! Control points moved: drags, constraints, handles of curvature.
 
+use crate::arguments::{Along, word};
 use crate::error::{Failure, Result};
-use crate::numbers::{Array, Num};
+use crate::numbers::{Array, Num, Point};
 use crate::space::Space;
-use crate::tools::values::{Name, Point, Points, Rounded as _, Thing, num, over};
-use crate::tools::words::direction;
+use crate::tools::values::Name;
+use crate::value::Thing;
 use pyo3::prelude::*;
 use std::collections::HashMap;
-use symspline::Relief;
+use symspline::{Direction, Relief};
 use symspline_dynamic::tools::constraints::{self, Asked, Prepared, Rows, Wishes};
 use symspline_dynamic::tools::edit::{self, AnyDrag, Grip};
 use symspline_dynamic::tools::handle::{self, AnyHandle};
 use symspline_dynamic::tools::nodes;
-use symspline_dynamic::{Coords, Field, Number, both};
+use symspline_dynamic::{Coords, Field, Meeting as _, Number, both};
 
 /// A linear edit of control points, prepared: how they move when a point is dragged.
 ///
 /// `Drag(shape, at, by="nearest")` takes the point at `at` (a parameter, of surfaces a pair) along by the control point with the
 /// nearest node, by the "neighbours" around it (with `gamma` the share of the second, of surfaces a pair), by `index` alone, or by
 /// `shares`, a list of pairs of an index and its share of the vector. Indices of surfaces are pairs.
-#[pyclass(frozen, eq, module = "symspline")]
+#[pyclass(frozen, eq, module = "symspline.shape")]
 #[derive(Debug, PartialEq)]
 pub struct Drag(AnyDrag);
 
@@ -54,7 +55,7 @@ impl Drag {
                 ));
             }
         };
-        Ok(Self(AnyDrag::of_point(&over(shape.0, exact)?, &at.0, &grip)?))
+        Ok(Self(AnyDrag::of_point(&*shape.0.among(exact)?, &at.0, &grip)?))
     }
 
     /// The places in the list of control points of those that move.
@@ -87,63 +88,61 @@ pub fn alike(shape: symspline_dynamic::Value, exact: bool) -> Result<symspline_d
 /// The shape with knots so that `x` is the node of a control point without influence outside the interval, and the place of that
 /// control point along the direction.
 #[pyfunction]
-#[pyo3(signature = (shape, x, start, end, direction="u"))]
+#[pyo3(signature = (shape, x, start, end, direction=Along(Direction::U)))]
 fn confined(
     py: Python<'_>,
     shape: Thing,
     x: Num,
     start: Num,
     end: Num,
-    direction: &str,
+    direction: Along,
 ) -> Result<(Thing, usize)> {
-    let direction = self::direction(direction)?;
-    let shape = over(shape.0, x.0.is_exact() && start.0.is_exact() && end.0.is_exact())?;
-    let (finer, k) = py.detach(|| edit::confined_to(&shape, direction, &x.0, (&start.0, &end.0)))?;
+    let shape = shape.0.among(x.0.is_exact() && start.0.is_exact() && end.0.is_exact())?;
+    let (finer, k) = py.detach(|| edit::confined_to(&shape, direction.0, &x.0, (&start.0, &end.0)))?;
     Ok((finer.into(), k))
 }
 
 /// The point `target` of the leg from control point `index` to the next made a control point: the knot to insert, the shape with it,
 /// and the place of the new control point along the direction.
 #[pyfunction]
-#[pyo3(signature = (shape, index, target, tolerance, direction="u"))]
+#[pyo3(signature = (shape, index, target, tolerance, direction=Along(Direction::U)))]
 fn leg_point(
     shape: Thing,
     index: Name,
     target: Point,
     tolerance: Num,
-    direction: &str,
-) -> Result<(Thing, Thing, usize)> {
-    let shape = over(shape.0, target.0.is_exact() && tolerance.0.is_exact())?;
-    let (knot, finer, place) =
-        edit::leg_point(&shape, self::direction(direction)?, &index.0, &target.0, &tolerance.0)?;
-    Ok((num(knot), finer.into(), place))
+    direction: Along,
+) -> Result<(Num, Thing, usize)> {
+    let shape = shape.0.among(target.0.is_exact() && tolerance.0.is_exact())?;
+    let (knot, finer, place) = edit::leg_point(&shape, direction.0, &index.0, &target.0, &tolerance.0)?;
+    Ok((Num(knot), finer.into(), place))
 }
 
 /// The knot whose insertion makes `x` a node of the space; none if it is one.
 #[pyfunction]
-fn node_placing_knot(space: Space, x: Num) -> Result<Option<Thing>> {
-    Ok(nodes::placing_knot(&over(space.0, x.0.is_exact())?, &x.0)?.map(num))
+fn node_placing_knot(space: Space, x: Num) -> Result<Option<Num>> {
+    Ok(nodes::placing_knot(&*space.0.among(x.0.is_exact())?, &x.0)?.map(Num))
 }
 
 /// The last coefficient whose node is at or before `x`, and the one whose node is nearest.
 #[pyfunction]
 fn nodes_around(space: Space, x: Num) -> Result<(usize, usize)> {
-    Ok(nodes::around(&over(space.0, x.0.is_exact())?, &x.0)?)
+    Ok(nodes::around(&*space.0.among(x.0.is_exact())?, &x.0)?)
 }
 
 /// The knot that puts `x` halfway between two nodes (none if it is there), where that lies ("there", "central", "left_gap",
 /// "right_gap"), and the first of the two nodes.
 #[pyfunction]
-fn halfway_knot(space: Space, x: Num) -> Result<(Option<Thing>, &'static str, usize)> {
-    let (knot, regime, leg) = nodes::halfway(&over(space.0, x.0.is_exact())?, &x.0)?;
-    Ok((knot.map(num), regime, leg))
+fn halfway_knot(space: Space, x: Num) -> Result<(Option<Num>, &'static str, usize)> {
+    let (knot, regime, leg) = nodes::halfway(&*space.0.among(x.0.is_exact())?, &x.0)?;
+    Ok((knot.map(Num), regime, leg))
 }
 
 /// Ranges of indices: coefficients without influence outside the interval; knots there that can be removed if the sweep from the
 /// left is kept, and if the one from the right is.
 #[pyfunction]
 fn local_ranges(space: Space, start: Num, end: Num) -> Result<Vec<(usize, usize)>> {
-    let space = over(space.0, start.0.is_exact() && end.0.is_exact())?;
+    let space = space.0.among(start.0.is_exact() && end.0.is_exact())?;
     Ok(nodes::local(&space, &start.0, &end.0)?.map(|range| (range.start, range.end)).to_vec())
 }
 
@@ -207,7 +206,7 @@ pub fn matrix(rows: &Rows, count: usize, exact: bool) -> Result<Array> {
 /// in the list of control points to weights: a linear functional. `holding` are control points that stay, `freeing` the only ones
 /// that may move, `weights` pairs of a control point and how much its movement counts, `nearly` meets what cannot be met together by
 /// least squares. With `relief`, "knots" or "degree", the shape first gets more freedom where it needs it: see `shape`.
-#[pyclass(frozen, module = "symspline")]
+#[pyclass(frozen, module = "symspline.shape")]
 #[derive(Debug)]
 pub struct Constraints {
     held: Box<dyn Prepared>,
@@ -230,15 +229,9 @@ impl Constraints {
         relief: Option<&str>,
     ) -> Result<Self> {
         let (wishes, exact) = wishes(constraints, holding, freeing, weights, nearly);
-        let shape = over(shape.0, exact)?;
+        let shape = shape.0.among(exact)?.into_owned();
         let relief = relief
-            .map(|name| {
-                crate::tools::values::word(
-                    "relief",
-                    name,
-                    &[("knots", Relief::Knots), ("degree", Relief::Degree)],
-                )
-            })
+            .map(|name| word("relief", name, &[("knots", Relief::Knots), ("degree", Relief::Degree)]))
             .transpose()?;
         py.detach(|| match relief {
             None => Ok(Self { held: constraints::constrained(&shape, &wishes)?, shape }),
@@ -259,7 +252,7 @@ impl Constraints {
     #[getter]
     fn rows(&self) -> Result<Array> {
         let coords = edit::control_points(&self.shape)?;
-        matrix(&self.held.rows(), coords.len() / self.shape.dim(), self.shape.exact())
+        matrix(&self.held.rows(), coords.len() / self.shape.dim(), self.shape.is_exact())
     }
 
     /// How control points move when a constrained value changes.
@@ -270,19 +263,19 @@ impl Constraints {
 
     /// The shape with the constrained values changed by vectors, one each. Numbers are taken into the field of the constraints.
     fn dragged(&self, py: Python<'_>, shape: Thing, changes: Array) -> Result<Thing> {
-        let shape = alike(shape.0, self.shape.exact())?;
+        let shape = alike(shape.0, self.shape.is_exact())?;
         Ok(Thing(py.detach(|| self.held.dragged(&shape, &changes.numbers))?))
     }
 
     /// The shape with these constrained values.
     fn met(&self, py: Python<'_>, shape: Thing, targets: Array) -> Result<Thing> {
-        let shape = alike(shape.0, self.shape.exact())?;
+        let shape = alike(shape.0, self.shape.is_exact())?;
         Ok(Thing(py.detach(|| self.held.met(&shape, &targets.numbers))?))
     }
 }
 
 /// Point and first derivative of a curve held at `x`, ready to change the curvature there.
-#[pyclass(frozen, module = "symspline")]
+#[pyclass(frozen, module = "symspline.shape")]
 #[derive(Debug)]
 pub struct CurvatureHandle(AnyHandle);
 
@@ -297,7 +290,7 @@ impl CurvatureHandle {
         weights: Option<Vec<(Name, Num)>>,
     ) -> Result<Self> {
         let (wishes, exact) = wishes(Vec::new(), holding, None, weights, false);
-        Ok(Self(AnyHandle::of_curve(&over(curve.0, exact && x.0.is_exact())?, &x.0, &wishes)?))
+        Ok(Self(AnyHandle::of_curve(&*curve.0.among(exact && x.0.is_exact())?, &x.0, &wishes)?))
     }
 
     /// The curve with a vector added to the second derivative.
@@ -324,20 +317,20 @@ impl CurvatureHandle {
 /// The curve whose tangent at `x` has a direction, through the same point, with the least movement of control points.
 #[pyfunction]
 fn with_tangent(curve: Thing, x: Num, direction: Point) -> Result<Thing> {
-    let curve = over(curve.0, x.0.is_exact() && direction.0.is_exact())?;
+    let curve = curve.0.among(x.0.is_exact() && direction.0.is_exact())?;
     Ok(handle::tangent_turned(&curve, &x.0, &direction.0)?.into())
 }
 
 /// All control points of a shape in one list, of a surface row by row: places in this list name them in `Drag.indices` and rows.
 #[pyfunction]
-fn control_points(shape: Thing) -> Result<Points> {
-    Ok(Points { dim: shape.0.dim(), coords: edit::control_points(&shape.0)? })
+fn control_points(shape: Thing) -> Result<Array> {
+    Ok(Array::of_points(shape.0.dim(), edit::control_points(&shape.0)?))
 }
 
 /// The derivative of a shape at a place: `order` is a number, of surfaces a pair.
 #[pyfunction]
 fn derivative_at(shape: Thing, at: Point, order: Name) -> Result<Point> {
-    let shape = over(shape.0, at.0.is_exact())?;
+    let shape = shape.0.among(at.0.is_exact())?;
     Ok(Point(edit::derivative_of(&shape, &at.0, &order.0)?))
 }
 

@@ -1,15 +1,16 @@
 //! Subdivision surfaces and polygons.
 
+use crate::arguments::word;
 use crate::error::{Failure, Result};
-use crate::numbers::Array;
+use crate::mesh::Mesh;
+use crate::numbers::{Array, Point};
+use crate::record::record;
 use crate::spline::Spline;
-use crate::tools::mesh::Mesh;
-use crate::tools::values::{Point, Points, Rounded as _, over, record, word};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use symspline::{Boundary, Descend, MeshSprings};
 use symspline_dynamic::tools::subdivision::{self, AnyCatmullClark, AnyDooSabin, Polygon as Polygons};
-use symspline_dynamic::{Coords, Over, both};
+use symspline_dynamic::{Coords, Meeting as _, Over, both};
 
 const BOUNDARIES: [(&str, Boundary); 3] =
     [("open", Boundary::Open), ("smooth", Boundary::Smooth), ("corners", Boundary::Corners)];
@@ -20,65 +21,95 @@ fn each(points: Vec<Option<Coords>>) -> Vec<Option<Point>> {
 
 /// A Catmull-Clark surface: a control mesh, the knot interval of each edge in the order of `mesh.edges` (all equal otherwise), and
 /// what becomes of the boundary: "open", "smooth" or "corners".
-#[pyclass(frozen, eq, module = "symspline", from_py_object)]
+#[pyclass(frozen, eq, module = "symspline.mesh", from_py_object)]
 #[derive(Clone, Debug, PartialEq)]
 pub struct CatmullClark(pub AnyCatmullClark);
 
+/// What both kinds of surfaces have: `$each` knot intervals an edge.
+macro_rules! surface {
+    ($class:ident, $any:ident, $each:literal) => {
+        #[pymethods]
+        impl $class {
+            #[new]
+            #[pyo3(signature = (mesh, intervals=None, boundary="smooth"))]
+            fn new(mesh: Mesh, intervals: Option<Array>, boundary: &str) -> Result<Self> {
+                let boundary = word("boundary", boundary, &BOUNDARIES)?;
+                let intervals = intervals.map(|all| all.numbers);
+                let mesh = mesh.0.among(intervals.as_ref().is_none_or(Over::is_exact))?;
+                Ok(Self($any::new(&mesh, intervals.as_ref(), boundary)?))
+            }
+
+            /// The control mesh.
+            #[getter]
+            fn mesh(&self) -> Mesh {
+                Mesh(self.0.mesh())
+            }
+
+            /// The knot intervals of the edges, none if all are equal.
+            #[getter]
+            fn intervals(&self) -> Option<Array> {
+                self.0.intervals().map(|all| Array::of_points($each, all))
+            }
+
+            /// What becomes of the boundary: "open", "smooth" or "corners".
+            #[getter]
+            fn boundary(&self) -> &'static str {
+                let boundary = both!(&self.0, s => s.boundary());
+                BOUNDARIES.iter().find(|(_, one)| *one == boundary).map_or("", |(name, _)| name)
+            }
+
+            /// The same surface over the mesh after steps of subdivision.
+            #[pyo3(signature = (depth=1))]
+            fn refined(&self, py: Python<'_>, depth: usize) -> Result<Self> {
+                Ok(Self(py.detach(|| self.0.refined(depth))?))
+            }
+
+            /// The unit normals at the limit points, of a surface over floats; none where there is no point.
+            fn limit_normals(&self, py: Python<'_>) -> Result<Vec<Option<Point>>> {
+                Ok(each(py.detach(|| self.0.limit_normals())?))
+            }
+
+            /// The mesh of the limit points.
+            fn limit_mesh(&self, py: Python<'_>) -> Result<Mesh> {
+                Ok(Mesh(py.detach(|| self.0.limit_mesh())?))
+            }
+
+            fn __repr__(&self) -> String {
+                let mesh = symspline_dynamic::Value::from(self.0.mesh());
+                format!("<{}: {mesh}, boundary {}>", stringify!($class), self.boundary())
+            }
+
+            /// The constructor and its arguments: nothing is lost.
+            #[allow(clippy::type_complexity, reason = "it is the tuple that pickle asks for")]
+            fn __reduce__<'py>(
+                slf: &Bound<'py, Self>,
+            ) -> (Bound<'py, PyAny>, (Mesh, Option<Array>, &'static str)) {
+                let this = slf.get();
+                (slf.get_type().into_any(), (this.mesh(), this.intervals(), this.boundary()))
+            }
+        }
+    };
+}
+
+surface!(CatmullClark, AnyCatmullClark, 1);
+surface!(DooSabin, AnyDooSabin, 2);
+
 #[pymethods]
 impl CatmullClark {
-    #[new]
-    #[pyo3(signature = (mesh, intervals=None, *, boundary="smooth"))]
-    fn new(mesh: Mesh, intervals: Option<Array>, boundary: &str) -> Result<Self> {
-        let boundary = word("boundary", boundary, &BOUNDARIES)?;
-        let intervals = intervals.map(|all| all.numbers);
-        let mesh = match intervals.as_ref().is_none_or(Over::is_exact) {
-            true => mesh.0,
-            false => mesh.0.to_float()?,
-        };
-        Ok(Self(AnyCatmullClark::new(&mesh, intervals.as_ref(), boundary)?))
-    }
-
-    /// The control mesh.
-    #[getter]
-    fn mesh(&self) -> Mesh {
-        Mesh(self.0.mesh())
-    }
-
-    /// The knot interval of each edge, none if all are equal.
-    #[getter]
-    fn intervals(&self) -> Option<Array> {
-        self.0.intervals().map(|all| Array::new(vec![all.len()], all))
-    }
-
-    /// The same surface over the mesh after steps of subdivision.
-    #[pyo3(signature = (depth=1))]
-    fn refined(&self, py: Python<'_>, depth: usize) -> Result<Self> {
-        Ok(Self(py.detach(|| self.0.refined(depth))?))
-    }
-
     /// The points of the surface at the vertices, none at an open boundary.
     fn limit_points(&self, py: Python<'_>) -> Result<Vec<Option<Point>>> {
         Ok(each(py.detach(|| self.0.limit_points())?))
-    }
-
-    /// The unit normals at the vertices, of a surface over floats.
-    fn limit_normals(&self, py: Python<'_>) -> Result<Vec<Option<Point>>> {
-        Ok(each(py.detach(|| self.0.limit_normals())?))
-    }
-
-    /// The mesh with its vertices on the surface.
-    fn limit_mesh(&self, py: Python<'_>) -> Result<Mesh> {
-        Ok(Mesh(py.detach(|| self.0.limit_mesh())?))
     }
 }
 
 /// A Doo-Sabin surface: a control mesh, two knot intervals an edge (shape `(edges, 2)`; all equal otherwise), and what becomes of
 /// the boundary: "open", "smooth" or "corners".
-#[pyclass(frozen, eq, module = "symspline", from_py_object)]
+#[pyclass(frozen, eq, module = "symspline.mesh", from_py_object)]
 #[derive(Clone, Debug, PartialEq)]
 pub struct DooSabin(pub AnyDooSabin);
 
 record! {
+    "symspline.mesh"
     /// A surface whose control mesh is a net of springs at rest.
     RelaxedMesh {
         /// The surface.
@@ -106,49 +137,9 @@ record! {
 
 #[pymethods]
 impl DooSabin {
-    #[new]
-    #[pyo3(signature = (mesh, intervals=None, *, boundary="smooth"))]
-    fn new(mesh: Mesh, intervals: Option<Array>, boundary: &str) -> Result<Self> {
-        let boundary = word("boundary", boundary, &BOUNDARIES)?;
-        let intervals = intervals.map(|all| all.numbers);
-        let mesh = match intervals.as_ref().is_none_or(Over::is_exact) {
-            true => mesh.0,
-            false => mesh.0.to_float()?,
-        };
-        Ok(Self(AnyDooSabin::new(&mesh, intervals.as_ref(), boundary)?))
-    }
-
-    /// The control mesh.
-    #[getter]
-    fn mesh(&self) -> Mesh {
-        Mesh(self.0.mesh())
-    }
-
-    /// The knot intervals of each edge, of shape `(edges, 2)`, none if all are equal.
-    #[getter]
-    fn intervals(&self) -> Option<Array> {
-        self.0.intervals().map(|all| Array::new(vec![all.len() / 2, 2], all))
-    }
-
-    /// The same surface over the mesh after steps of subdivision.
-    #[pyo3(signature = (depth=1))]
-    fn refined(&self, py: Python<'_>, depth: usize) -> Result<Self> {
-        Ok(Self(py.detach(|| self.0.refined(depth))?))
-    }
-
     /// The points of the surface that the faces shrink to, of shape `(faces, 3)`.
-    fn limit_points(&self, py: Python<'_>) -> Result<Points> {
-        Ok(Points { dim: 3, coords: py.detach(|| self.0.limit_points())? })
-    }
-
-    /// The unit normals there, of a surface over floats.
-    fn limit_normals(&self, py: Python<'_>) -> Result<Vec<Option<Point>>> {
-        Ok(each(py.detach(|| self.0.limit_normals())?))
-    }
-
-    /// The mesh of the limit points.
-    fn limit_mesh(&self, py: Python<'_>) -> Result<Mesh> {
-        Ok(Mesh(py.detach(|| self.0.limit_mesh())?))
+    fn limit_points(&self, py: Python<'_>) -> Result<Array> {
+        Ok(Array::of_points(3, py.detach(|| self.0.limit_points())?))
     }
 
     /// The same surface, or nearly, as a Catmull-Clark surface with knot intervals 0 and 1.
@@ -218,65 +209,77 @@ impl DooSabin {
 
 /// A polygon that controls a curve of degree 2 (Chaikin's) or 3, with points of shape `(n, d)`: closed, or with a boundary that is
 /// "open" or "smooth". Knot intervals are those of vertices if the degree is 2, of legs if it is 3; all equal otherwise.
-#[pyclass(frozen, module = "symspline")]
+#[pyclass(frozen, module = "symspline.mesh")]
 #[derive(Debug)]
-pub struct ControlPolygon(Box<dyn Polygons>);
+pub struct ControlPolygon {
+    polygon: Box<dyn Polygons>,
+    boundary: Option<String>,
+}
 
 #[pymethods]
 impl ControlPolygon {
     #[new]
-    #[pyo3(signature = (points, degree=2, *, intervals=None, boundary=None))]
-    fn new(points: Array, degree: usize, intervals: Option<Array>, boundary: Option<&str>) -> Result<Self> {
+    #[pyo3(signature = (points, degree=2, intervals=None, boundary=None))]
+    fn new(points: Array, degree: usize, intervals: Option<Array>, boundary: Option<String>) -> Result<Self> {
         let dim = points.dim(1)?;
         let intervals = intervals.map(|all| all.numbers);
-        let boundary = boundary.map(|name| word("boundary", name, &BOUNDARIES)).transpose()?;
-        let coords = over(points.numbers, intervals.as_ref().is_none_or(|all| all.exact()))?;
-        Ok(Self(subdivision::polygon(degree, dim, &coords, intervals.as_ref(), boundary)?))
+        let of = boundary.as_deref().map(|name| word("boundary", name, &BOUNDARIES)).transpose()?;
+        let coords = points.numbers.among(intervals.as_ref().is_none_or(|all| all.is_exact()))?;
+        let polygon = subdivision::polygon(degree, dim, &coords, intervals.as_ref(), of)?;
+        Ok(Self { polygon, boundary })
     }
 
     /// The degree of the curve.
     #[getter]
     fn degree(&self) -> usize {
-        self.0.degree()
+        self.polygon.degree()
     }
 
     /// The vertices, of shape `(n, d)`.
     #[getter]
-    fn points(&self) -> Points {
-        Points { dim: self.0.dim(), coords: self.0.points() }
+    fn points(&self) -> Array {
+        Array::of_points(self.polygon.dim(), self.polygon.points())
     }
 
     /// The knot intervals.
     #[getter]
     fn intervals(&self) -> Point {
-        Point(self.0.intervals())
+        Point(self.polygon.intervals())
     }
 
     /// Whether a leg joins the last vertex with the first.
     #[getter]
     fn is_closed(&self) -> bool {
-        self.0.is_closed()
+        self.polygon.is_closed()
     }
 
     /// The polygon of the same curve after steps of subdivision: corners cut.
     #[pyo3(signature = (depth=1))]
     fn refined(&self, depth: usize) -> Result<Self> {
-        Ok(Self(self.0.refined(depth)?))
+        Ok(Self { polygon: self.polygon.refined(depth)?, boundary: self.boundary.clone() })
     }
 
     /// The points where segments of the curve meet.
-    fn joints(&self) -> Points {
-        Points { dim: self.0.dim(), coords: self.0.joints() }
+    fn joints(&self) -> Array {
+        Array::of_points(self.polygon.dim(), self.polygon.joints())
     }
 
     /// The polygon of degree 3 of the same curve.
     fn converted(&self) -> Result<Self> {
-        Ok(Self(self.0.converted()?))
+        Ok(Self { polygon: self.polygon.converted()?, boundary: self.boundary.clone() })
     }
 
     /// The curve.
     fn curve(&self) -> Result<Spline> {
-        Ok(Spline(self.0.curve()?))
+        Ok(Spline(self.polygon.curve()?))
+    }
+
+    /// The constructor and its arguments: nothing is lost.
+    #[allow(clippy::type_complexity, reason = "it is the tuple that pickle asks for")]
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> (Bound<'py, PyAny>, (Array, usize, Point, Option<String>)) {
+        let this = slf.get();
+        let arguments = (this.points(), this.degree(), this.intervals(), this.boundary.clone());
+        (slf.get_type().into_any(), arguments)
     }
 }
 

@@ -1,18 +1,19 @@
 //! Fine tuning of curves and surfaces.
 
 use crate::error::{Failure, Result};
-use crate::numbers::{Array, Num};
+use crate::numbers::{Array, Num, Point};
+use crate::record::record;
 use crate::space::Space;
 use crate::spline::Spline;
 use crate::surface::Surface;
-use crate::tools::values::{Point, Thing, over, pair, record, together};
 use crate::tools::words::{self, Fits};
+use crate::value::Thing;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use symspline::Springs;
 use symspline_dynamic::tools::local::Local;
 use symspline_dynamic::tools::tune;
-use symspline_dynamic::{AnySpline, AnySurface, Value};
+use symspline_dynamic::{AnySpline, AnySurface, Meeting as _, Value, together};
 
 /// A curve or a surface, with a scale function over the same field.
 pub enum Scaled {
@@ -25,8 +26,16 @@ pub enum Scaled {
 /// A shape and a scale function as they go together.
 pub fn scaled(shape: Thing, alpha: Thing) -> Result<Scaled> {
     match (shape.0, alpha.0) {
-        (Value::Spline(c), Value::Spline(a)) => together(c, a, true).map(|(c, a)| Scaled::Curve(c, a)),
-        (Value::Surface(s), Value::Surface(a)) => together(s, a, true).map(|(s, a)| Scaled::Surface(s, a)),
+        (Value::Spline(c), Value::Spline(a)) => {
+            let (c, a) = (&c, &a);
+            together!(c, a);
+            Ok(Scaled::Curve(c.into_owned(), a.into_owned()))
+        }
+        (Value::Surface(s), Value::Surface(a)) => {
+            let (s, a) = (&s, &a);
+            together!(s, a);
+            Ok(Scaled::Surface(s.into_owned(), a.into_owned()))
+        }
         (shape, alpha) => Err(Failure::new(
             "NoSuch",
             format!(
@@ -37,6 +46,7 @@ pub fn scaled(shape: Thing, alpha: Thing) -> Result<Scaled> {
 }
 
 record! {
+    "symspline.fine_tune"
     /// A curve with its ends put back.
     HeldCurve {
         /// The curve.
@@ -44,33 +54,36 @@ record! {
         /// The freely tuned curve under the same similarity, over the same knots.
         image: Thing,
         /// The square of the scale of the similarity.
-        squared_scale: Thing,
+        squared_scale: Num,
         /// From where to where the curve is its image, if anywhere.
-        similar: Option<(Thing, Thing)>,
+        similar: Option<(Num, Num)>,
     }
 }
 
 record! {
+    "symspline.fine_tune"
     /// A surface with its edges put back.
     HeldSurface {
         /// The surface.
         surface: Thing,
         /// At least the largest distance by which control points were forced.
-        forced: Thing,
+        forced: Num,
     }
 }
 
 record! {
+    "symspline.fine_tune"
     /// A shape that stands for another, and how far it is off at most.
     Approximation {
         /// The shape.
         spline: Thing,
         /// The bound, proved.
-        bound: Thing,
+        bound: Num,
     }
 }
 
 record! {
+    "symspline.fine_tune"
     /// A closed curve whose control polygon is a chain of springs at rest.
     Relaxed {
         /// The curve.
@@ -97,21 +110,21 @@ impl From<tune::HeldCurve> for HeldCurve {
         Self {
             curve: held.curve.into(),
             image: held.image.into(),
-            squared_scale: held.squared_scale.into(),
-            similar: held.similar.map(pair),
+            squared_scale: Num(held.squared_scale),
+            similar: held.similar.map(|(a, b)| (Num(a), Num(b))),
         }
     }
 }
 
 impl HeldSurface {
     fn of((surface, forced): tune::HeldAnySurface) -> Self {
-        Self { surface: surface.into(), forced: forced.into() }
+        Self { surface: surface.into(), forced: Num(forced) }
     }
 }
 
 impl Approximation {
     fn of((spline, bound): (AnySpline, symspline_dynamic::Number)) -> Self {
-        Self { spline: spline.into(), bound: bound.into() }
+        Self { spline: spline.into(), bound: Num(bound) }
     }
 }
 
@@ -139,7 +152,8 @@ fn fine_tuned_from(
     signed: bool,
 ) -> Result<Thing> {
     let edge = words::edge(edge)?;
-    let (s, a) = together(surface.0, alpha.0, true)?;
+    let (s, a) = (&surface.0, &alpha.0);
+    together!(s, a);
     Ok(py.detach(|| s.fine_tuned_from(&a, signed, edge))?.into())
 }
 
@@ -171,7 +185,7 @@ fn fine_tuned_holding<'py>(
 }
 
 /// A curve with a portion of it fine-tuned.
-#[pyclass(frozen, module = "symspline")]
+#[pyclass(frozen, module = "symspline.fine_tune")]
 #[derive(Debug)]
 pub struct LocallyTuned(Box<dyn Local>);
 
@@ -205,8 +219,9 @@ impl LocallyTuned {
 
     /// Start and end of the portion.
     #[getter]
-    fn portion(&self) -> (Thing, Thing) {
-        pair(self.0.portion())
+    fn portion(&self) -> (Num, Num) {
+        let (start, end) = self.0.portion();
+        (Num(start), Num(end))
     }
 
     /// All as one spline.
@@ -264,7 +279,8 @@ fn fine_tuned_on_by_nearest(
     norm: &str,
 ) -> Result<LocallyTuned> {
     let norm = words::norm(norm)?;
-    let (c, a) = together(curve.0, wanted.0, true)?;
+    let (c, a) = (&curve.0, &wanted.0);
+    together!(c, a);
     Ok(LocallyTuned(py.detach(|| c.fine_tuned_on_by_nearest(&a, order, norm))?))
 }
 
@@ -280,8 +296,9 @@ fn fine_tuned_within(
     signed: bool,
 ) -> Result<Approximation> {
     let hold = words::hold(hold)?;
-    let (c, a) = together(curve.0, alpha.0, tolerance.0.is_exact())?;
-    Ok(Approximation::of(py.detach(|| c.fine_tuned_within(&a, signed, hold, &tolerance.0))?))
+    let (c, a, tolerance) = (&curve.0, &alpha.0, &tolerance.0);
+    together!(c, a, tolerance);
+    Ok(Approximation::of(py.detach(|| c.fine_tuned_within(&a, signed, hold, &tolerance))?))
 }
 
 /// The closed curve tuned as nearly as it stays closed: its control polygon becomes a chain of springs and comes to rest. Keywords
@@ -307,8 +324,9 @@ fn fine_tuned_closed(
             other => return Err(Failure::new("Word", format!("springs have no \"{other}\"")).into()),
         }
     }
-    let (c, a) = together(curve.0, alpha.0, false)?;
-    let found = py.detach(|| tune::closed(&c, &a, signed, &how)).map_err(Failure::from)?;
+    let found = py.detach(|| -> Result<_> {
+        Ok(tune::closed(&curve.0.to_float()?, &alpha.0.to_float()?, signed, &how)?)
+    })?;
     let ([energy_before, energy], [length_deviation, angle_deviation]) = (found.energies, found.deviations);
     Ok(Relaxed {
         curve: found.curve.into(),
@@ -325,33 +343,34 @@ fn fine_tuned_closed(
 /// A scale function of a space that multiplies the curvature by about `ratio`.
 #[pyfunction]
 fn scale_for_curvature_ratio(py: Python<'_>, scales: Space, ratio: Spline) -> Result<Approximation> {
-    let (scales, ratio) = together(scales.0, ratio.0, true)?;
+    let (scales, ratio) = (&scales.0, &ratio.0);
+    together!(scales, ratio);
     Ok(Approximation::of(py.detach(|| tune::scale_for_curvature_ratio(&scales, &ratio))?))
 }
 
 /// What each coefficient of a scale function in `scales` adds to the chord from `x` to `y`, of shape `(scales.dim, d)`.
 #[pyfunction]
 fn scale_moments(curve: Spline, scales: Space, x: Num, y: Num) -> Result<Array> {
-    let (c, scales) = together(curve.0, scales.0, x.0.is_exact() && y.0.is_exact())?;
-    let coords = c.scale_moments(&scales, &x.0, &y.0)?;
-    let dim = c.dim();
-    Ok(Array::new(vec![coords.len() / dim, dim], coords))
+    let (c, scales, x, y) = (&curve.0, &scales.0, &x.0, &y.0);
+    together!(c, scales, x, y);
+    Ok(Array::of_points(c.dim(), c.scale_moments(&scales, &x, &y)?))
 }
 
 /// The function or curve of the same space with the value `to` at `x`, by the least change: of "coefficients", or in "l2".
 #[pyfunction]
 #[pyo3(signature = (spline, x, to, norm="coefficients"))]
 fn dragged(spline: Spline, x: Num, to: Point, norm: &str) -> Result<Spline> {
-    let s = over(spline.0, x.0.is_exact() && to.0.is_exact())?;
+    let s = spline.0.among(x.0.is_exact() && to.0.is_exact())?;
     Ok(Spline(s.dragged_value(&x.0, &to.0, words::norm(norm)?)?))
 }
 
 /// The difference of the surfaces that `alpha` makes along both paths, and how far apart they are at most.
 #[pyfunction]
 fn path_gap(py: Python<'_>, surface: Surface, alpha: Surface) -> Result<Approximation> {
-    let (s, a) = together(surface.0, alpha.0, true)?;
+    let (s, a) = (&surface.0, &alpha.0);
+    together!(s, a);
     let (difference, bound) = py.detach(|| s.path_gap(&a))?;
-    Ok(Approximation { spline: difference.into(), bound: bound.into() })
+    Ok(Approximation { spline: difference.into(), bound: Num(bound) })
 }
 
 /// Adds the functions and classes to the module.

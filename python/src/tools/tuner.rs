@@ -1,17 +1,18 @@
 //! Conditions, nearest scale functions, and prepared tuners.
 
+use crate::arguments::Along;
 use crate::error::{Failure, Result};
-use crate::numbers::Num;
+use crate::numbers::{Num, Point};
 use crate::space::Space;
-
-use crate::tools::values::{Point, Rounded as _, Spaces, Thing, over};
-use crate::tools::words::{Fits, direction, edge, edges, hold, norm, path};
+use crate::tools::values::Spaces;
+use crate::tools::words::{Fits, edge, edges, hold, norm, path};
+use crate::value::Thing;
 use numpy::{PyReadonlyArray1, PyReadwriteArrayDyn, PyUntypedArrayMethods as _};
 use pyo3::prelude::*;
 use pyo3::types::{PyString, PyTuple};
 use symspline_dynamic::tools::condition::{AnyCondition, AnyNearest, AnySurfaceCondition, AnySurfaceNearest};
 use symspline_dynamic::tools::tuner::{self, Keeping, Tuner};
-use symspline_dynamic::{AnySpace, AnySpline, AnySurface, Coords, Number, Value};
+use symspline_dynamic::{AnySpace, AnySpline, AnySurface, Coords, Meeting, Number, Value};
 
 fn wrong(what: &str, found: &Bound<'_, PyAny>) -> PyErr {
     Failure::new("Condition", format!("{found} is no condition of a {what}")).into()
@@ -80,9 +81,7 @@ impl Reader {
             ("edge", [name, order]) => {
                 AnySurfaceCondition::Edge { edge: edge(&name.extract::<String>()?)?, order: order.extract()? }
             }
-            ("closed", [name]) => {
-                AnySurfaceCondition::Closed { direction: direction(&name.extract::<String>()?)? }
-            }
+            ("closed", [name]) => AnySurfaceCondition::Closed { direction: name.extract::<Along>()?.0 },
             ("derivative", [at, order, value]) => AnySurfaceCondition::Derivative {
                 at: self.place(at)?,
                 order: order.extract()?,
@@ -105,18 +104,23 @@ enum Wanted {
     Surface(AnySurface, [AnySpace; 2], Vec<AnySurfaceCondition>),
 }
 
+/// As it is if all is exact, else over floats.
+fn taken<M: Meeting>(of: &M, exact: bool) -> Result<M> {
+    Ok(of.among(exact)?.into_owned())
+}
+
 fn wanted(shape: Thing, scales: Spaces, conditions: &[Bound<'_, PyAny>]) -> PyResult<Wanted> {
     let mut reader = Reader(true);
     match (shape.0, scales) {
         (Value::Spline(c), Spaces::One(Space(s))) => {
             let all = conditions.iter().map(|x| reader.of_curve(x)).collect::<PyResult<_>>()?;
-            let exact = reader.0 && c.exact() && s.exact();
-            Ok(Wanted::Curve(over(c, exact)?, over(s, exact)?, all))
+            let exact = reader.0 && c.is_exact() && s.is_exact();
+            Ok(Wanted::Curve(taken(&c, exact)?, taken(&s, exact)?, all))
         }
         (Value::Surface(s), Spaces::Two(Space(u), Space(v))) => {
             let all = conditions.iter().map(|x| reader.of_surface(x)).collect::<PyResult<_>>()?;
-            let exact = reader.0 && s.exact() && u.exact() && v.exact();
-            Ok(Wanted::Surface(over(s, exact)?, [over(u, exact)?, over(v, exact)?], all))
+            let exact = reader.0 && s.is_exact() && u.is_exact() && v.is_exact();
+            Ok(Wanted::Surface(taken(&s, exact)?, [taken(&u, exact)?, taken(&v, exact)?], all))
         }
         (shape, _) => Err(Failure::new(
             "NoSuch",
@@ -138,7 +142,7 @@ enum Nearest {
 /// vector), ("derivatives", x, count), ("scale", x, value), ("coefficient", i, value). Of a surface: ("edge", "u_start", order),
 /// ("closed", "u"), ("derivative", (u, v), (k, l), value), ("scale", (u, v), value), ("coefficient", (i, j), value). `scales` is a
 /// space, of a surface a pair of them; `norm` says what near means, "l2" or "coefficients".
-#[pyclass(frozen, module = "symspline")]
+#[pyclass(frozen, module = "symspline.fine_tune")]
 #[derive(Debug)]
 pub struct NearestScale(Nearest);
 
@@ -197,7 +201,7 @@ enum Values {
 ///
 /// With `hold` (of a surface `edges`) the ends are put back; with `conditions` the nearest scale functions are taken that meet them,
 /// see `NearestScale`. Numbers are taken into the field of what it was made from.
-#[pyclass(frozen, module = "symspline")]
+#[pyclass(frozen, module = "symspline.fine_tune")]
 #[derive(Debug)]
 pub struct FineTuner {
     tuner: Box<dyn Tuner>,

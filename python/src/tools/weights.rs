@@ -1,12 +1,13 @@
 //! Weights moved.
 
 use crate::error::Result;
-use crate::numbers::Num;
+use crate::numbers::{Num, Point};
 use crate::tools::shape::alike;
-use crate::tools::values::{Name, Point, Rounded as _, Thing, num, over, pair, zero};
+use crate::tools::values::Name;
+use crate::value::Thing;
 use pyo3::prelude::*;
-use symspline_dynamic::Number;
 use symspline_dynamic::tools::weights::{self, PairPuller, Puller};
+use symspline_dynamic::{Meeting as _, Number};
 
 /// Ends of a range of weights.
 type Ends = Option<(Num, Num)>;
@@ -18,7 +19,7 @@ fn ends(within: Ends) -> (Option<(Number, Number)>, bool) {
 
 /// The pull of a point of a rational shape toward a control point by its weight, prepared. `within` is a range of weights. Numbers
 /// are taken into the field of the shape.
-#[pyclass(frozen, module = "symspline")]
+#[pyclass(frozen, module = "symspline.shape")]
 #[derive(Debug)]
 pub struct WeightPull(Box<dyn Puller>, bool);
 
@@ -28,20 +29,20 @@ impl WeightPull {
     #[pyo3(signature = (shape, at, index, *, within=None))]
     fn new(shape: Thing, at: Point, index: Name, within: Ends) -> Result<Self> {
         let (within, exact) = ends(within);
-        let shape = over(shape.0, exact && at.0.is_exact())?;
-        Ok(Self(weights::pull(&shape, &at.0, &index.0, within.as_ref())?, shape.exact()))
+        let shape = shape.0.among(exact && at.0.is_exact())?;
+        Ok(Self(weights::pull(&shape, &at.0, &index.0, within.as_ref())?, shape.is_exact()))
     }
 
     /// The weight as it was.
     #[getter]
-    fn weight(&self) -> Thing {
-        num(self.0.weight_and_share().0)
+    fn weight(&self) -> Num {
+        Num(self.0.weight_and_share().0)
     }
 
     /// The share of the control point in the point, as it was.
     #[getter]
-    fn share(&self) -> Thing {
-        num(self.0.weight_and_share().1)
+    fn share(&self) -> Num {
+        Num(self.0.weight_and_share().1)
     }
 
     /// The point as it was.
@@ -58,24 +59,24 @@ impl WeightPull {
 
     /// The least and the largest fraction of the way to the control point.
     #[getter]
-    fn limits(&self) -> (Option<Thing>, Option<Thing>) {
+    fn limits(&self) -> (Option<Num>, Option<Num>) {
         let (push, pull) = self.0.limits();
-        (push.map(num), pull.map(num))
+        (push.map(Num), pull.map(Num))
     }
 
     /// The weight that takes the point a fraction of the way.
-    fn weight_for(&self, fraction: Num) -> Result<Thing> {
-        Ok(num(self.0.weight_for(&fraction.0)?))
+    fn weight_for(&self, fraction: Num) -> Result<Num> {
+        Ok(Num(self.0.weight_for(&fraction.0)?))
     }
 
     /// The fraction of the way that a weight takes the point.
-    fn fraction_for(&self, weight: Num) -> Result<Thing> {
-        Ok(num(self.0.fraction_for(&weight.0)?))
+    fn fraction_for(&self, weight: Num) -> Result<Num> {
+        Ok(Num(self.0.fraction_for(&weight.0)?))
     }
 
     /// The fraction at which the point is nearest to a target.
-    fn fraction_near(&self, target: Point) -> Result<Thing> {
-        Ok(num(self.0.fraction_near(&target.0)?))
+    fn fraction_near(&self, target: Point) -> Result<Num> {
+        Ok(Num(self.0.fraction_near(&target.0)?))
     }
 
     /// The shape with its point a fraction of the way from where it was.
@@ -85,7 +86,7 @@ impl WeightPull {
 }
 
 /// The moves of a point of a rational shape by the weights of two control points, prepared.
-#[pyclass(frozen, module = "symspline")]
+#[pyclass(frozen, module = "symspline.shape")]
 #[derive(Debug)]
 pub struct WeightPairPull(Box<dyn PairPuller>, bool);
 
@@ -95,23 +96,23 @@ impl WeightPairPull {
     #[pyo3(signature = (shape, at, first, second, *, within=None))]
     fn new(shape: Thing, at: Point, first: Name, second: Name, within: Ends) -> Result<Self> {
         let (within, exact) = ends(within);
-        let shape = over(shape.0, exact && at.0.is_exact())?;
+        let shape = shape.0.among(exact && at.0.is_exact())?;
         let found = weights::pair_pull(&shape, &at.0, [&first.0, &second.0], within.as_ref())?;
-        Ok(Self(found, shape.exact()))
+        Ok(Self(found, shape.is_exact()))
     }
 
     /// The weights as they were.
     #[getter]
-    fn weights(&self) -> (Thing, Thing) {
+    fn weights(&self) -> (Num, Num) {
         let [[a, b], _] = self.0.weights_and_shares();
-        pair((a, b))
+        (Num(a), Num(b))
     }
 
     /// The shares of the control points in the point, as they were.
     #[getter]
-    fn shares(&self) -> (Thing, Thing) {
+    fn shares(&self) -> (Num, Num) {
         let [_, [a, b]] = self.0.weights_and_shares();
-        pair((a, b))
+        (Num(a), Num(b))
     }
 
     /// The point where both weights are zero.
@@ -122,21 +123,21 @@ impl WeightPairPull {
     }
 
     /// The barycentric coordinates of a target at the two control points.
-    #[pyo3(signature = (target, tolerance=zero()))]
-    fn coordinates(&self, target: Point, tolerance: Num) -> Result<(Thing, Thing)> {
+    #[pyo3(signature = (target, tolerance=Num::int(0)))]
+    fn coordinates(&self, target: Point, tolerance: Num) -> Result<(Num, Num)> {
         let [a, b] = self.0.coordinates(&target.0, &tolerance.0)?;
-        Ok(pair((a, b)))
+        Ok((Num(a), Num(b)))
     }
 
     /// The weights that move the point to a target inside the triangle of the base and the control points.
-    #[pyo3(signature = (target, tolerance=zero()))]
-    fn weights_for(&self, target: Point, tolerance: Num) -> Result<(Thing, Thing)> {
+    #[pyo3(signature = (target, tolerance=Num::int(0)))]
+    fn weights_for(&self, target: Point, tolerance: Num) -> Result<(Num, Num)> {
         let [a, b] = self.0.weights_for(&target.0, &tolerance.0)?;
-        Ok(pair((a, b)))
+        Ok((Num(a), Num(b)))
     }
 
     /// The shape with its point at a target.
-    #[pyo3(signature = (shape, target, tolerance=zero()))]
+    #[pyo3(signature = (shape, target, tolerance=Num::int(0)))]
     fn moved_to(&self, shape: Thing, target: Point, tolerance: Num) -> Result<Thing> {
         Ok(self.0.moved_to(&alike(shape.0, self.1)?, &target.0, &tolerance.0)?.into())
     }
@@ -150,14 +151,14 @@ impl WeightPairPull {
 /// The derivatives of the point at `at` by the weight of a control point, of order 0 to `order`: one row each.
 #[pyfunction]
 fn weight_derivatives(shape: Thing, at: Point, index: Name, order: usize) -> Result<Vec<Point>> {
-    let shape = over(shape.0, at.0.is_exact())?;
+    let shape = shape.0.among(at.0.is_exact())?;
     Ok(weights::derivatives(&shape, &at.0, &index.0, order)?.into_iter().map(Point).collect())
 }
 
 /// The rational shape with other weights, pairs of an index and a weight; control points stay.
 #[pyfunction]
 fn with_weights(shape: Thing, weights: Vec<(Name, Num)>) -> Result<Thing> {
-    let shape = over(shape.0, weights.iter().all(|(_, w)| w.0.is_exact()))?;
+    let shape = shape.0.among(weights.iter().all(|(_, w)| w.0.is_exact()))?;
     let weights: Vec<_> = weights.into_iter().map(|(name, w)| (name.0, w.0)).collect();
     Ok(weights::set(&shape, &weights)?.into())
 }

@@ -1,10 +1,10 @@
 //! Words for what fine tuning holds, and where.
 
+use crate::arguments::word;
 use crate::error::Result;
-use crate::tools::values::word;
 use pyo3::prelude::*;
 use std::collections::HashMap;
-use symspline::{Direction, Edge, Edges, Fit, Hold, Norm, Path};
+use symspline::{Edge, Edges, Fit, Hold, Norm, Path};
 
 const HOLDS: [(&str, Hold); 4] = [
     ("start", Hold::Start),
@@ -22,7 +22,6 @@ const FITS: [(&str, Fit); 4] = [
     ("tangent", Fit::Tangent),
     ("curvature", Fit::Curvature),
 ];
-const DIRECTIONS: [(&str, Direction); 2] = [("u", Direction::U), ("v", Direction::V)];
 
 /// What ends do, by its word.
 pub fn hold(name: &str) -> Result<Hold> {
@@ -42,11 +41,6 @@ pub fn path(name: &str) -> Result<Path> {
 /// An edge by its word.
 pub fn edge(name: &str) -> Result<Edge> {
     word("edge", name, &EDGES)
-}
-
-/// A direction by its word.
-pub fn direction(name: &str) -> Result<Direction> {
-    word("direction", name, &DIRECTIONS)
 }
 
 /// How edges fit: one word for all, or a word for some, the others free.

@@ -105,7 +105,11 @@ impl Mesh {
         Ok(Self(self.0.to_float()?))
     }
 
-    /// What makes it again, for pickling.
+    fn __repr__(&self) -> String {
+        format!("<Mesh: {}>", symspline_dynamic::Value::from(self.0.clone()))
+    }
+
+    /// The constructor and its arguments: nothing is lost.
     #[allow(clippy::type_complexity, reason = "it is the tuple that pickle asks for")]
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, (Array, Vec<Vec<usize>>))> {
         let this = slf.get();
