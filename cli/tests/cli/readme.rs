@@ -53,11 +53,8 @@ fn commands_of_the_front_page_do_what_they_should() {
     assert!(commands.len() > 5);
     for command in commands {
         let run = shell(command, &root);
-        assert!(
-            run.status.success() && run.stderr.is_empty(),
-            "{command}\n{}",
-            String::from_utf8_lossy(&run.stderr)
-        );
+        let error = String::from_utf8_lossy(&run.stderr);
+        assert!(run.status.success() && !error.contains("symspline: "), "{command}\n{error}");
         // What is drawn or written is there, and what is not is said.
         let files = command.split(' ').filter(|word| word.starts_with("target/") && !word.contains(':'));
         let written: Vec<_> = files.map(|file| fs::metadata(root.join(file)).unwrap().len()).collect();
