@@ -12,10 +12,10 @@ use symspline::{Coeff, Curve, Function, Q, Scalar, Spline, SplineSpace, Surface,
 /// The most coefficients of a generated space.
 const MOST: usize = 48;
 
-/// The settings of a law that runs `4 n` times.
+/// The settings of a law that runs `2 n` times.
 pub fn cases(n: u32) -> ProptestConfig {
     let (max_shrink_iters, max_global_rejects) = (10_000, 100_000);
-    ProptestConfig { cases: 4 * n, max_shrink_iters, max_global_rejects, ..ProptestConfig::default() }
+    ProptestConfig { cases: 2 * n, max_shrink_iters, max_global_rejects, ..ProptestConfig::default() }
 }
 
 /// How the ends of a space meet.

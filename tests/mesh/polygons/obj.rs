@@ -18,7 +18,7 @@ const FILES: [(&str, usize, usize, bool); 5] = [
 ];
 
 fn path(name: &str) -> String {
-    format!("{}/data/subd_{name}.obj", env!("CARGO_MANIFEST_DIR"))
+    format!("{}/../data/subd_{name}.obj", env!("CARGO_MANIFEST_DIR"))
 }
 
 /// The same mesh, zeros with their signs.
