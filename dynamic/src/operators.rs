@@ -176,7 +176,7 @@ impl AnySpline {
     /// The same in a space that holds its own.
     ///
     /// # Errors
-    /// [`Error::Fields`]; [`symspline::Error::NotContained`] if the space does not hold this one.
+    /// [`Error::Fields`], and those of [`symspline::Spline::embedded`] if the space does not hold this one.
     pub fn embedded(&self, target: &AnySpace) -> Result<Self> {
         match (self, target) {
             (Any::F1(s), Over::Float(t)) => Ok(s.embedded(t)?.into()),

@@ -113,7 +113,7 @@ where
 /// Constraints on a shape, prepared.
 ///
 /// # Errors
-/// [`Error::NoSuch`], [`Error::Dimensions`], and those of [`Constraints::prepare`].
+/// [`Error::NoSuch`](crate::Error::NoSuch), [`Error::Dimensions`](crate::Error::Dimensions), and those of [`Constraints::prepare`].
 pub fn constrained(shape: &Value, wishes: &Wishes) -> Result<Box<dyn Prepared>> {
     shape!(shape, "constraints", T, s => Ok(Box::new(wishes.on::<T, _>(s)?.prepare()?) as Box<dyn Prepared>))
 }

@@ -30,7 +30,7 @@ impl AnyHandle {
     /// The handle of a curve, with further wishes.
     ///
     /// # Errors
-    /// [`Error::NoSuch`] for what is no curve, and those of [`CurvatureHandle::of`].
+    /// [`Error::NoSuch`](crate::Error::NoSuch) for what is no curve, and those of [`CurvatureHandle::of`].
     pub fn of_curve(curve: &Value, x: &Number, wishes: &Wishes) -> Result<Self> {
         shape!(curve curve, "curvature handle", T, s => Ok(CurvatureHandle::of(wishes.on::<T, _>(s)?, &T::of(x)?)?.into()))
     }
@@ -38,7 +38,7 @@ impl AnyHandle {
     /// The curve with a vector added to the second derivative.
     ///
     /// # Errors
-    /// [`Error::Fields`], and those of [`CurvatureHandle::push`].
+    /// [`Error::Fields`](crate::Error::Fields), and those of [`CurvatureHandle::push`].
     pub fn pushed(&self, curve: &Value, by: &Coords) -> Result<Value> {
         shape!(curve curve, "curvature handle", T, s => {
             let mut s = s.clone();
@@ -90,7 +90,7 @@ impl AnyHandle {
     /// The curve with a given curvature, over floats.
     ///
     /// # Errors
-    /// [`Error::Fields`] for an exact handle, and those of [`CurvatureHandle::set`].
+    /// [`Error::Fields`](crate::Error::Fields) for an exact handle, and those of [`CurvatureHandle::set`].
     pub fn set(&self, curve: &Value, kappa: f64) -> Result<Value> {
         use crate::any::Any::{F2, F3};
         let handle: &CurvatureHandle<f64> = Of::<f64>::of(self)?;
@@ -114,7 +114,7 @@ impl AnyHandle {
 /// The curve whose tangent at a place has a direction; see [`with_tangent`].
 ///
 /// # Errors
-/// [`Error::NoSuch`] for what is no curve, and those of [`with_tangent`].
+/// [`Error::NoSuch`](crate::Error::NoSuch) for what is no curve, and those of [`with_tangent`].
 pub fn tangent_turned(curve: &Value, x: &Number, direction: &Coords) -> Result<Value> {
     match curve {
         Value::Spline(any) => {
