@@ -3,8 +3,6 @@
 //!
 //! The bends about circles and curves are over `f64`; flattening and a bend about a line with no ends carried over `Q` too.
 
-mod numbers;
-
 use nalgebra::{SVector, vector};
 use numbers::{Group, Numbers, Question, criterion};
 use std::hint::black_box;

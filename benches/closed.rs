@@ -1,8 +1,6 @@
 //! What does it cost to keep a fine-tuned curve closed? Rings of 10 to 1000 vertices, a scale of twelve values of which one is
 //! raised: by the nearest scale that closes, whole and while dragged, over both fields, and by springs, which know `f64` only.
 
-mod numbers;
-
 use nalgebra::vector;
 use numbers::Group;
 use std::f64::consts::TAU;

@@ -1,8 +1,6 @@
 //! What does a composition cost? Cubics of a line, an increasing parabola and an increasing cubic, with as many spans each,
 //! their knots apart. Time a span, so linear growth is a constant.
 
-mod numbers;
-
 use criterion::{BenchmarkGroup, Throughput, measurement::WallTime};
 use numbers::{FLOATS, FRACTIONS, IMAGES, Numbers, assert_close};
 use std::hint::black_box;

@@ -1,8 +1,6 @@
 //! What do pulls and constraints cost, apart from the copy of a shape? Prepared and dragged apart, on cubic curves in space of
 //! 10, 100 and 1000 control points and bicubic surfaces of 20 x 20 and 100 x 100: nothing here should depend on the size.
 
-mod numbers;
-
 use nalgebra::SVector;
 use numbers::{Group, Numbers, Question};
 use std::hint::black_box;

@@ -4,8 +4,6 @@
 //!
 //! The energy with free weights of its derivatives is solved as a band matrix over the grid, which is not linear.
 
-mod numbers;
-
 use nalgebra::SVector;
 use numbers::{Group, Numbers, Question};
 use std::hint::black_box;

@@ -1,8 +1,6 @@
 //! What does it cost to raise the degree of a cubic space curve by one? Time a control point, so linear growth is a
 //! constant.
 
-mod numbers;
-
 use criterion::Throughput;
 use numbers::{Group, Numbers, Question, assert_close};
 use std::hint::black_box;

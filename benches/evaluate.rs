@@ -3,8 +3,6 @@
 //!
 //! A cubic space curve with 1000 control points at 100 000 parameters: in order, 100 in a row share a span.
 
-mod numbers;
-
 use criterion::Throughput;
 use nalgebra::SVector;
 use numbers::{FLOATS, FRACTIONS, Group, IMAGES, Numbers, assert_close};

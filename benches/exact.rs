@@ -5,7 +5,6 @@
 
 #![allow(clippy::print_stdout, reason = "a bench reports")]
 
-mod numbers;
 mod plain;
 mod ratios;
 

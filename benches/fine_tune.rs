@@ -4,8 +4,6 @@
 //! Whole, that is differentiation, product and integration; while a value of the scale is dragged, with each hold and under
 //! conditions; and whole by the recurrence for products of B-splines, written as it stands: the way of the paper.
 
-mod numbers;
-
 use nalgebra::SVector;
 use numbers::{Group, Numbers, Question, assert_close};
 use std::hint::black_box;

@@ -1,8 +1,6 @@
 //! What does it cost to fine tune a subdivision surface? The pawn of 601 vertices, whose neck or a single vertex is stretched, whole or in
 //! part, by both ways to rest; and how the time grows with grids on a torus.
 
-mod numbers;
-
 use nalgebra::vector;
 use numbers::Group;
 use std::f64::consts::TAU;

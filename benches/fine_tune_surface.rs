@@ -4,8 +4,6 @@
 //! Whole along one path and two, with held boundary; while a value of the scale is dragged; and how both grow with the
 //! number of patches, the scale with one value a patch.
 
-mod numbers;
-
 use nalgebra::SVector;
 use numbers::{Group, Numbers, Question, assert_close};
 use std::hint::black_box;

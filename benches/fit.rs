@@ -1,8 +1,6 @@
 //! What do least squares cost? A cubic plane curve with 72 control points through 800 points, and growth in the
 //! number of points: time a point.
 
-mod numbers;
-
 use criterion::Throughput;
 use nalgebra::SVector;
 use numbers::{Group, Numbers, Question, assert_close};

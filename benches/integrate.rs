@@ -1,7 +1,5 @@
 //! What do an antiderivative, a definite integral and a Gram matrix cost? Time a span, so linear growth is a constant.
 
-mod numbers;
-
 use criterion::Throughput;
 use numbers::{Group, Numbers, Question, assert_close};
 use std::hint::black_box;

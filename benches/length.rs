@@ -2,8 +2,6 @@
 //!
 //! A space curve of 100 spans to `1e-12`, and the parameters of 1000 points at equal lengths.
 
-mod numbers;
-
 use numbers::FLOATS;
 use std::hint::black_box;
 use symspline::{Curve, NurbsCurve, Result, circle};

@@ -1,8 +1,6 @@
 //! What does it cost to find where curves meet? Growth with the number of spans where meetings are few (time a span), two
 //! cubics with nine meetings, a curve and itself, and a line through a surface.
 
-mod numbers;
-
 use criterion::Throughput;
 use nalgebra::{SVector, vector};
 use std::hint::black_box;

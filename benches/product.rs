@@ -1,8 +1,6 @@
 //! What does a product cost? Parabolas, cubics, and a scalar with a plane curve, over the same uneven knots. Time a
 //! span, so linear growth is a constant.
 
-mod numbers;
-
 use criterion::Throughput;
 use numbers::{Group, Numbers, Question, assert_close};
 use std::hint::black_box;

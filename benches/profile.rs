@@ -28,7 +28,7 @@ fn zeros(criterion: &mut Criterion) {
 
 /// The measured points of the example `fine_tune`.
 fn car() -> Vec<SVector<f64, 2>> {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/data/car_prius_profile_3.csv");
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../data/car_prius_profile_3.csv");
     let mut reader = csv::Reader::from_path(path).expect("the data are there");
     let record = |record: csv::Result<csv::StringRecord>| {
         let record = record.expect("a table");

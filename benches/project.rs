@@ -1,8 +1,6 @@
 //! What does the nearest point of a curve or surface cost? Many points near a cubic space curve of 100 spans and near a bicubic
 //! surface of 10 by 10 patches, beside what one would write by hand: the nearest of many samples, then Newton's method.
 
-mod numbers;
-
 use criterion::Throughput;
 use nalgebra::{SVector, vector};
 use numbers::Group;

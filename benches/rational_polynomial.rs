@@ -1,8 +1,6 @@
 //! What does a polynomial approximation of the unit circle cost, in time and in coefficients, by tolerance and degree? The number of
 //! coefficients is the last part of each name.
 
-mod numbers;
-
 use nalgebra::vector;
 use std::hint::black_box;
 use symspline::{Q, Result, Scalar, circle};

@@ -1,8 +1,6 @@
 //! What do the cheap operators cost on a cubic space curve: sums, derivatives, cutting, opening, joining, reversing,
 //! stretching? Time a span, so linear growth is a constant.
 
-mod numbers;
-
 use criterion::Throughput;
 use numbers::{Group, Numbers, Question, assert_close};
 use std::hint::black_box;

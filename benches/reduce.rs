@@ -1,8 +1,6 @@
 //! What does it cost to lower the degree of a cubic space curve that was elevated by one, and to approximate it by
 //! parabolas? Time a control point of the cubic, so linear growth is a constant.
 
-mod numbers;
-
 use criterion::{BenchmarkGroup, Throughput, measurement::WallTime};
 use numbers::{FLOATS, FRACTIONS, IMAGES, Numbers, assert_close};
 use std::hint::black_box;

@@ -1,8 +1,6 @@
 //! What does it cost to insert a knot in the middle of every span of a cubic space curve, all at once? Time a new
 //! knot, so linear growth is a constant.
 
-mod numbers;
-
 use criterion::Throughput;
 use numbers::{Group, Numbers, Question, assert_close};
 use std::hint::black_box;

@@ -1,8 +1,6 @@
 //! What does it cost to remove the knots that were inserted in the middle of every span of a cubic space curve? Time a
 //! knot, so linear growth is a constant.
 
-mod numbers;
-
 use criterion::{BenchmarkGroup, Throughput, measurement::WallTime};
 use numbers::{FLOATS, FRACTIONS, IMAGES, Numbers, assert_close};
 use std::hint::black_box;

@@ -2,8 +2,6 @@
 //! control point, which over `f64` should depend on neither; over `Q` numbers grow with the number of sections. Beside it what
 //! bringing the sections into one space takes, where they are in one already.
 
-mod numbers;
-
 use criterion::Throughput;
 use nalgebra::SVector;
 use numbers::{Group, Numbers, Question, assert_close};

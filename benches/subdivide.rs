@@ -2,8 +2,6 @@
 //! others: one more step of both schemes; and five steps at once of the pawn in the data. Throughput is in new faces. All should be
 //! linear in them.
 
-mod numbers;
-
 use criterion::Throughput;
 use nalgebra::SVector;
 use numbers::{Group, Numbers, Question};

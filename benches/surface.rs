@@ -3,8 +3,6 @@
 //!
 //! Points are those of a bicubic surface in space with 50 by 50 patches, 100 000 of them, in random order or on a grid.
 
-mod numbers;
-
 use criterion::Throughput;
 use numbers::{FLOATS, Group, IMAGES, Numbers, Question, assert_close};
 use std::hint::black_box;

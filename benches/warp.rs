@@ -4,8 +4,6 @@
 //! In the steps of the book: refined alone, refined and moved, and thinned out afterwards; and what decides which control
 //! points move, for `n` points: a polygon of a hundred corners, and a gravity field of a hundred legs.
 
-mod numbers;
-
 use numbers::{Group, Numbers, Question, assert_close};
 use std::hint::black_box;
 use symspline::{Bump, Gravity, Polygons, Refinement, Region, Result, Scalar, SplineSpace, Surface, Warp};

@@ -2,8 +2,6 @@
 //! and by two weights, applied in place again and again; a weight set in place; and for comparison the shape copied, and made
 //! anew from control points and weights.
 
-mod numbers;
-
 use nalgebra::SVector;
 use numbers::{Group, Numbers, Question, assert_close};
 use std::hint::black_box;

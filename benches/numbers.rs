@@ -1,20 +1,24 @@
 //! What the benches run on: uneven knots and wavy coefficients, over `f64` and twice over `Q`.
 
-#![allow(dead_code, reason = "each bench uses a part")]
-
 use criterion::{BenchmarkGroup, Criterion, measurement::WallTime};
 use nalgebra::SVector;
 use std::time::Duration;
 use symspline::{Coeff, Curve, Function, Q, Result, Scalar, SplineSpace, Surface, TensorSpline};
 
+/// Where the measurements of a question go.
 pub type Group<'a> = BenchmarkGroup<'a, WallTime>;
 
 /// A question asked of every kind of number.
 pub trait Question {
+    /// What the question is called.
     const NAME: &'static str;
+    /// How large a case is: a number of spans, points, both.
     type Size: Copy + 'static;
+    /// The sizes over `f64`.
     const FLOATS: &'static [Self::Size];
+    /// The sizes over small fractions.
     const FRACTIONS: &'static [Self::Size];
+    /// The sizes over the images of `f64`.
     const IMAGES: &'static [Self::Size] = Self::FRACTIONS;
 
     /// Checks the results, then measures.
@@ -38,7 +42,9 @@ pub fn run<A: Question>() -> Result<()> {
 }
 
 /// A field with a way to make knots and coefficients in it.
+#[derive(Debug)]
 pub struct Numbers<T> {
+    /// What the field is called.
     pub name: &'static str,
     /// Break `i`, about `i`.
     pub knot: fn(usize) -> T,
@@ -48,6 +54,7 @@ pub struct Numbers<T> {
     pub epsilon: fn() -> T,
 }
 
+/// Knots and coefficients as floats.
 pub const FLOATS: Numbers<f64> = Numbers { name: "f64", knot: uneven, value: wave, epsilon: || f64::EPSILON };
 
 /// Knots and coefficients with one-digit denominators.
@@ -88,12 +95,14 @@ impl<T: Scalar> Numbers<T> {
         SplineSpace::clamped(degree, (0..=spans).map(self.knot))
     }
 
+    /// A function with `spans` spans.
     pub fn function(&self, degree: usize, spans: usize) -> Result<Function<T>> {
         let space = self.space(degree, spans)?;
         let coeffs = (0..space.dim()).map(self.value).collect();
         Function::new(space, coeffs)
     }
 
+    /// A curve with `spans` spans.
     pub fn curve<const N: usize>(&self, degree: usize, spans: usize) -> Result<Curve<T, N>> {
         let space = self.space(degree, spans)?;
         let point = |i: usize| SVector::from_fn(|axis, _| (self.value)(N * i + axis));
@@ -108,6 +117,7 @@ impl<T: Scalar> Numbers<T> {
         TensorSpline::new(space.clone(), space, coeffs)
     }
 
+    /// A surface with `spans` spans in both directions.
     pub fn surface<const N: usize>(&self, degree: usize, spans: usize) -> Result<Surface<T, N>> {
         let space = self.space(degree, spans)?;
         let point = |i: usize| SVector::from_fn(|axis, _| (self.value)(N * i + axis));
