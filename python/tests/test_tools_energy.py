@@ -37,7 +37,7 @@ def test_weights_come_from_several_sides():
     assert FullEnergy([[1]]).with_weight((1, 3), 2).weights.tolist() == [[1, 0, 0, 0], [0, 0, 0, 2]]
     assert FullEnergy([[1, 0], [0, 0]]) == FullEnergy([[1]]) != FullEnergy([[1.0]])
     assert FullEnergy([[], [0, 1]]).weights.tolist() == [[0, 0], [0, 1]]
-    for floats in [FULL.with_weight((0, 0), 0.5), FullEnergy.thin_plate(1, 0.5), FullEnergy([[1], [0.5]])]:
+    for floats in [FULL.with_weight((0, 0), 0.5), FullEnergy.thin_plate(1, 0.5).with_weight((1, 0), 1), FullEnergy([[1], [0.5]])]:
         assert floats.weights.dtype == np.float64
     assert FullEnergy.of_materials(Material(1, 2), Material(1.0, 2)).weights.dtype == np.float64
 

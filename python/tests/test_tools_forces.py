@@ -239,7 +239,7 @@ def test_what_a_shape_does_not_have():
         BODY.load(RationalSurface(U, V, SHEET.coeffs, np.full((4, 3), 2)), density=WIND)
     assert caught.value.kind == "NoSuch"
     with pytest.raises(SymsplineError) as caught:
-        FLOATS.load(SHEET, Load(over=[(PATH.to_float(), UP, 5)]))
+        FLOATS.load(SHEET, Load(over=[(PATH, UP, 5)]))
     assert caught.value.kind == "OpenBoundary"
     with pytest.raises(SymsplineError) as caught:
         BODY.load(SHEET, Load(density=WIND), density=WIND)
