@@ -5,7 +5,7 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from oracle import gram
+from oracle import basis, gram, integral
 from symspline import Rational, RationalSurface, Space, Spline, Surface, SymsplineError
 from symspline.deform import Elastic, FullEnergy, Material, Relaxation
 
@@ -209,3 +209,34 @@ def test_bodies_of_curves_and_loads():
         with pytest.raises(SymsplineError) as caught:
             call(np.zeros((5, 0)))
         assert caught.value.kind == "Dimension"
+
+
+def test_stiffness_by_quadrature():
+    material = Material.of_orders([Fraction(1, 2), 2, 5])
+    order = grams(SPACE)
+    exact = (order[0] / 2 + order[1] * 2 + order[2] * 5).astype(float)
+    assert np.abs(material.matrix_by_quadrature(SPACE) - exact).max() < 1e-13
+    assert np.abs(material.matrix_by_quadrature(SPACE, 3) - exact).max() < 1e-13
+    # One node sees of x * x the mean slope alone.
+    line, parabola = Space.bezier(2), np.array([0.0, 0.0, 1.0])
+    assert parabola @ Material(1, 0).matrix_by_quadrature(line, 1) @ parabola == 1
+    with pytest.raises(SymsplineError) as caught:
+        material.matrix_by_quadrature(SPACE, 2**40)
+    assert caught.value.kind == "TooLarge"
+
+
+@pytest.mark.parametrize("exact", [True, False])
+def test_forcing_is_of_hats(exact):
+    surface = SURFACE if exact else SURFACE.to_float()
+    along_u, along_v = Elastic(surface, Material(1, 1), ["all", "all"]).forcing()
+    assert (along_u.dtype == object) == exact
+    for found, space, knots in [(along_u, U, [0, 0, 1, 3, 3]), (along_v, V, [0, 0, 2, 2])]:
+        breaks = knots[1:-1]
+        p, t = space.degree, list(space.knots)
+        for j in range(len(breaks)):
+            for i in range(space.dim):
+                expected = sum(
+                    integral(lambda x: basis(t, p, i, x) * basis(knots, 1, j, x), a, b)
+                    for a, b in zip(breaks, breaks[1:])
+                )
+                assert found[j][i] == expected if exact else abs(found[j][i] - float(expected)) < 1e-15

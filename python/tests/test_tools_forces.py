@@ -294,7 +294,7 @@ def test_a_sculptor_takes_another_spread():
     line = Spline(Space.uniform(3, 6), [[k, 0] for k in range(9)])
     at, material = Fraction(1, 7), Material(1, 2)
     sculptor = Sculptor(line, material)
-    assert sculptor.start is None and sculptor.force is None
+    assert sculptor.start is None and sculptor.force is None and sculptor.pull is None
     shown = {}
     for spread in ["hat", "point"]:
         sculptor.set(spread=spread)
@@ -304,6 +304,7 @@ def test_a_sculptor_takes_another_spread():
         assert list(sculptor.start) == list(line(at)) and list(sculptor.force) == [0, 1]
         body = Elastic(line, material, "all", spread=spread)
         assert shown[spread] == body.pull(line, at).pushed(line, [0, 1])
+        assert sculptor.pull.give == body.pull(line, at).give
         assert sculptor.elastic(at).pushed(line, [(at, [0, 1])]) == shown[spread]
         assert sculptor.cancel()
     assert shown["hat"] != shown["point"]

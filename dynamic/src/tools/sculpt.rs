@@ -4,13 +4,13 @@ use crate::error::{Error, Result};
 use crate::number::Field;
 use crate::over::Coords;
 use crate::shape;
-use crate::tools::edit::Of;
-use crate::tools::elastic::{AnyBreadth, AnyElastic, material};
+use crate::tools::edit::{AnyDrag, Of};
+use crate::tools::elastic::{AnyBreadth, AnyElastic, Pulls, material};
 use crate::tools::forces::{Load, Loaded};
 use crate::tools::shape::{At, all_points, coords, place, point};
 use crate::value::Value;
 use std::fmt::Debug;
-use symspline::{Elastic, Material, Reach, Sculptor, Spread};
+use symspline::{Drag, Elastic, Material, Reach, Sculptor, Spread};
 
 /// A shape in the hands of a sculptor; see [`Sculptor`].
 pub trait Sculpts: Debug + Send + Sync {
@@ -66,6 +66,8 @@ pub trait Sculpts: Debug + Send + Sync {
     /// # Errors
     /// Those of [`Sculptor::elastic`].
     fn elastic(&mut self, at: &Coords) -> Result<AnyElastic>;
+    /// The force of the grip, prepared.
+    fn pull(&self) -> Option<Box<dyn Pulls>>;
     /// Where the place that is held was, and the force under which the shape is shown.
     fn held(&self) -> Option<(Coords, Coords)>;
     /// Takes other materials, another reach and another spread, from the next grip on.
@@ -87,6 +89,7 @@ fn reaches<T: Field>(reach: &[AnyBreadth]) -> Result<Vec<Reach<T>>> {
 impl<T: Field, S: Loaded<T>> Sculpts for Sculptor<T, S>
 where
     AnyElastic: Of<T, Inner = Elastic<T>> + From<Elastic<T>>,
+    AnyDrag: From<Drag<T>>,
     S::Parameter: At<T>,
 {
     fn shape(&self) -> Value {
@@ -154,6 +157,10 @@ where
 
     fn elastic(&mut self, at: &Coords) -> Result<AnyElastic> {
         Ok(Self::elastic(self, &place(at)?)?.into())
+    }
+
+    fn pull(&self) -> Option<Box<dyn Pulls>> {
+        Some(Box::new(Self::pull(self)?.clone()))
     }
 
     fn held(&self) -> Option<(Coords, Coords)> {

@@ -4,6 +4,7 @@ use crate::both;
 use crate::error::{Error, Result};
 use crate::number::{Field, flat};
 use crate::over::{AnySpace, Coords};
+use crate::tools::edit::Of;
 use crate::tools::elastic::{AnyBreadth, AnyElastic, material};
 use crate::tools::shape::all_points;
 
@@ -16,6 +17,21 @@ pub fn matrix(space: &AnySpace, weights: &Coords) -> Result<Coords> {
         let matrix = material::<T>(weights)?.matrix(s)?.to_matrix()?;
         Ok(T::coords(matrix.transpose().iter().cloned().collect()))
     })
+}
+
+/// The stiffness matrix over floats by Gauss rules, row by row, of so many nodes or of the least sufficient number; see
+/// [`Material::matrix_by_rule`](symspline::Material::matrix_by_rule) and
+/// [`Material::matrix_by_quadrature`](symspline::Material::matrix_by_quadrature).
+///
+/// # Errors
+/// [`Error::Fields`] for an exact space, and those of the library.
+pub fn matrix_by_rule(space: &AnySpace, weights: &Coords, nodes: Option<usize>) -> Result<Coords> {
+    let (space, material) = (Of::<f64>::of(space)?, material::<f64>(weights)?);
+    let matrix = match nodes {
+        Some(nodes) => material.matrix_by_rule(space, nodes)?,
+        None => material.matrix_by_quadrature(space)?,
+    };
+    Ok(Coords::Float(matrix.to_matrix()?.transpose().iter().copied().collect()))
 }
 
 /// The motions of coefficients that cost nothing, one after the other; see [`Material::null_space`](symspline::Material::null_space).
@@ -48,6 +64,20 @@ macro_rules! lists {
 pub(crate) use lists;
 
 impl AnyElastic {
+    /// For each direction the forcing matrix, row by row, a row for each break; see
+    /// [`Stiffness::forcing`](symspline::Stiffness::forcing).
+    ///
+    /// # Errors
+    /// [`symspline::Error::TooLarge`].
+    pub fn forcing(&self) -> Result<Vec<Coords>> {
+        both!(self, T, e => {
+            let along = |s: &symspline::Stiffness<T>| {
+                Ok(T::coords(s.forcing().to_matrix()?.transpose().iter().cloned().collect()))
+            };
+            e.stiffnesses().iter().map(along).collect()
+        })
+    }
+
     /// The displacements of control points under a load of each, `dim` coordinates each.
     ///
     /// # Errors

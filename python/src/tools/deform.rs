@@ -11,8 +11,8 @@ use crate::tools::values::{Name, OneOrMore};
 use crate::value::Thing;
 use pyo3::prelude::*;
 use symspline::Spread;
-use symspline_dynamic::Meeting as _;
 use symspline_dynamic::tools::elastic::{self, Anchors, AnyElastic, Pulls};
+use symspline_dynamic::{Coords, Meeting as _, both};
 
 /// How forces are spread, by words.
 pub const SPREADS: [(&str, Spread); 2] = [("hat", Spread::Hat), ("point", Spread::Point)];
@@ -46,6 +46,14 @@ impl Elastic {
     #[getter]
     fn moving(&self) -> Vec<Vec<usize>> {
         self.0.moving()
+    }
+
+    /// For each direction the integrals of the basis functions times the hat functions of the breaks: a row for each break.
+    fn forcing(&self, py: Python<'_>) -> Result<Vec<Array>> {
+        let dims: Vec<usize> = both!(&self.0, e => e.stiffnesses().iter().map(|s| s.space().dim()).collect());
+        let all = py.detach(|| self.0.forcing())?;
+        let shaped = |(all, n): (Coords, usize)| Array::new(vec![all.len() / n.max(1), n], all);
+        Ok(all.into_iter().zip(dims).map(shaped).collect())
     }
 
     /// For each direction how its coefficients answer a unit force that hats spread at a place.
@@ -138,7 +146,7 @@ impl Elastic {
 /// A force at one place of a shape, ready to be changed.
 #[pyclass(frozen, module = "symspline.deform")]
 #[derive(Debug)]
-pub struct Pull(Box<dyn Pulls>, bool);
+pub struct Pull(pub Box<dyn Pulls>, pub bool);
 
 #[pymethods]
 impl Pull {

@@ -48,6 +48,16 @@ impl Material {
         Ok(Array::new(vec![dim, dim], py.detach(|| stiffness::matrix(&space, &self.0))?))
     }
 
+    /// The stiffness matrix over floats by Gauss rules: of so many nodes for all orders of derivatives, or of the least number
+    /// that suffices for each.
+    #[pyo3(signature = (space, nodes=None))]
+    fn matrix_by_quadrature(&self, py: Python<'_>, space: Space, nodes: Option<usize>) -> Result<Array> {
+        let space = space.0.to_float()?;
+        let dim = symspline_dynamic::both!(&space, s => s.dim());
+        let matrix = py.detach(|| stiffness::matrix_by_rule(&space, &self.0, nodes))?;
+        Ok(Array::new(vec![dim, dim], matrix))
+    }
+
     /// A basis of the motions of the coefficients of a space that cost nothing, a row each; `breadth` says which may move, as for
     /// `Elastic`.
     #[pyo3(signature = (space, breadth=Breadth::whole()))]

@@ -4,7 +4,7 @@ use crate::arguments::word;
 use crate::error::Result;
 use crate::numbers::{Array, Point};
 use crate::tools::breadth::{Breadths, breadths};
-use crate::tools::deform::{Elastic, SPREADS};
+use crate::tools::deform::{Elastic, Pull, SPREADS};
 use crate::tools::load::Forces;
 use crate::tools::material::{Material, materials};
 use crate::tools::values::{Name, OneOrMore};
@@ -87,6 +87,12 @@ impl Sculptor {
     /// The body that a grip at a place would have.
     fn elastic(&self, py: Python<'_>, at: Point) -> Result<Elastic> {
         Ok(Elastic(py.detach(|| self.with(|s| s.elastic(&at.0)))?))
+    }
+
+    /// The force at the place that is held, prepared; none if nothing is held.
+    #[getter]
+    fn pull(&self) -> Option<Pull> {
+        self.with(|s| Some(Pull(s.pull()?, s.shape().is_exact())))
     }
 
     /// Where the place that is held was when it was grabbed; none if nothing is held.
