@@ -5,7 +5,8 @@
 use symspline::{Norm, Q, Scalar, SplineSpace, Spread};
 use symspline_dynamic::tools::constraints::{Asked, Wishes, constrained};
 use symspline_dynamic::tools::edit::{AnyDrag, Grip};
-use symspline_dynamic::tools::elastic::{AnyBreadth, AnyElastic, Load};
+use symspline_dynamic::tools::elastic::{AnyBreadth, AnyElastic};
+use symspline_dynamic::tools::forces::{Along, Load};
 use symspline_dynamic::tools::tuner::{Keeping, curve_tuner};
 use symspline_dynamic::tools::warp::{AnyRegion, Assignment, warped};
 use symspline_dynamic::{AnySpace, AnySpline, AnySurface, Coords, Error, Over, Result, Value};
@@ -77,6 +78,28 @@ fn forces_over_rational_shapes_are_refused() -> Result<()> {
         |shape: &Value| AnyElastic::of_shape(shape, &[exact(&[1, 1])], &[AnyBreadth::All], Spread::Point);
     assert_ne!(body(&curve()?)?.pushed(&curve()?, &load)?, curve()?);
     assert!(matches!(body(&rational)?.pushed(&rational, &load), Err(Error::NoSuch { .. })));
+    Ok(())
+}
+
+#[test]
+fn forces_along_a_path_are_of_the_field_of_the_surface() -> Result<()> {
+    let sheet = surface()?;
+    let breadths = [AnyBreadth::Whole, AnyBreadth::Whole];
+    let body = AnyElastic::of_shape(&sheet, &[exact(&[1, 1])], &breadths, Spread::Point)?;
+    let path: Value = AnySpline::new(line(1)?, 2, exact(&[0, 0, 1, 1]))?.into();
+    let along = |path: Value, samples| Load {
+        along: vec![Along { path, force: Value::Point(exact(&[4, 0])), samples }],
+        ..Load::default()
+    };
+    let quarters = body.load(&sheet, &along(path.clone(), Some(1)))?;
+    assert_eq!(quarters, exact(&[1, 0, 1, 0, 1, 0, 1, 0]));
+    let float = along(path.to_float()?, Some(1));
+    assert!(matches!(body.load(&sheet, &float), Err(Error::NoSuch { .. })));
+    assert_eq!(body.load(&sheet, &float.to_exact()?)?, quarters);
+    assert!(matches!(
+        body.load(&sheet, &along(path, None)),
+        Err(Error::NoSuch { operation: "integral", .. })
+    ));
     Ok(())
 }
 

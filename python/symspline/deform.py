@@ -3,7 +3,10 @@
 from ._symspline import (
     Anchored,
     Elastic,
+    FullEnergy,
+    Load,
     Material,
     Pull,
+    Relaxation,
     Sculptor,
 )

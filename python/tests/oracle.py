@@ -35,3 +35,27 @@ def derivative(knots, degree, coeffs):
 def splipy():
     """The package, where it can be imported: its last one for an old Python is for an old numpy."""
     return pytest.importorskip("splipy", exc_type=ImportError)
+
+
+def integral(f, a, b):
+    """Of a polynomial of degree five at most, by its values inside."""
+    values = [w * f(a + (b - a) * Fraction(k, 6)) for k, w in zip(range(1, 6), [11, -14, 26, -14, 11])]
+    return sum(values[1:], values[0]) * Fraction(b - a, 20)
+
+
+def gram(knots, degree, order):
+    """Inner products of the derivatives of an order of all basis functions, up to degree two of these."""
+    n = len(knots) - degree - 1
+    functions = []
+    for i in range(n):
+        t, p, coeffs = list(knots), degree, [Fraction(int(i == j)) for j in range(n)]
+        for _ in range(order):
+            t, coeffs = derivative(t, p, coeffs)
+            p -= 1
+        functions.append((t, p, coeffs))
+    spans = [(a, b) for a, b in zip(knots[degree:n], knots[degree + 1 : n + 1]) if a < b]
+
+    def inner(f, g):
+        return sum((integral(lambda x: value(*f, x) * value(*g, x), a, b) for a, b in spans), Fraction(0))
+
+    return [[inner(f, g) for g in functions] for f in functions]

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from symspline import Mesh, Rational, RationalSurface, Space, Spline, Surface, _symspline
 from symspline.analysis import ArcLength, CurvatureProfile, Projector
-from symspline.deform import Elastic, Material, Sculptor
+from symspline.deform import Elastic, FullEnergy, Load, Material, Relaxation, Sculptor
 from symspline.fine_tune import FineTuner, NearestScale, fine_tuned_on
 from symspline.mesh import CatmullClark, ControlPolygon, DooSabin
 from symspline.shape import Constraints, CurvatureHandle, Drag, WeightPairPull, WeightPull
@@ -29,6 +29,7 @@ CUBE = Mesh(
 )
 MATERIAL = Material(1, 1)
 ELASTIC = Elastic(CURVE, MATERIAL, "all")
+SHEET = Elastic(SADDLE, Material(1, 1, 1), ["whole", "whole"])
 HALF = Fraction(1, 2)
 OBJECTS = [
     LINE,
@@ -50,6 +51,11 @@ OBJECTS = [
     ELASTIC.pull(CURVE, HALF),
     ELASTIC.anchored(CURVE, [(HALF, 0)]),
     Sculptor(CURVE, MATERIAL, reach="all"),
+    SHEET,
+    Load([(HALF, [0, 1])]),
+    Load(along=[(CURVE, [0, 0, 1], 5)], over=[(((0, 0), (1, 1)), [0, 0, 1], 4)]),
+    FullEnergy.thin_plate(1, 1),
+    Relaxation(CUBIC, MATERIAL, "all", HALF),
     Drag(CURVE, HALF),
     Constraints(CURVE, [(HALF, 0)]),
     CurvatureHandle(CURVE, HALF),

@@ -7,11 +7,12 @@ import numpy as np
 import pytest
 from symspline import Mesh, Rational, RationalSurface, Space, Spline, Surface
 from symspline.analysis import CurvatureProfile, Projector, intersections, meet_line, surface_curvatures, zeros
-from symspline.deform import Material
+from symspline.deform import FullEnergy, Load, Material
 from symspline.fine_tune import FineTuner, fine_tuned_closed, fine_tuned_holding, scale_for_curvature_ratio
 from symspline.mesh import CatmullClark, ControlPolygon, DooSabin
 from symspline.shape import flattened, warped
 
+HALF = Fraction(1, 2)
 LINE = Space.bezier(1)
 CURVE = Spline(Space.bezier(2), [[0, 0], [1, 2], [2, 0]])
 ARCH = Spline(Space.bezier(2), [[0, 0], [1, Fraction(1, 2)], [2, 0]])
@@ -30,6 +31,8 @@ RESULTS = [
     CUBE,
     CUBE.to_float(),
     Material(1, Fraction(1, 3)),
+    FullEnergy.thin_plate(1, Fraction(1, 3)),
+    Load([((HALF, 0), [0, 0, 1])], over=[(((0, 0), (1, 1)), [0, 0, 1], 3)]),
     CatmullClark(CUBE, boundary="corners"),
     CatmullClark(CUBE, [1 + k % 2 for k in range(12)]),
     DooSabin(CUBE, [[1, 2]] * 12, "open"),

@@ -7,10 +7,11 @@ use crate::over::{Coords, Over};
 use crate::shape;
 use crate::tools::constraints::{Rows, Wishes, rows};
 use crate::tools::edit::{AnyDrag, Of};
+use crate::tools::forces::{Load, Loaded};
 use crate::tools::shape::{Shape, all_points, coords, place, point};
 use crate::value::Value;
 use std::fmt::Debug;
-use symspline::{Anchored, Breadth, Drag, Elastic, Forces, FullEnergy, Material, Pull, Q, Reach, Spread};
+use symspline::{Anchored, Breadth, Drag, Elastic, FullEnergy, Material, Pull, Q, Reach, Spread};
 
 /// Which coefficients may move, or how far a grip reaches; see [`Breadth`] and [`Reach`].
 #[derive(Clone, Debug, PartialEq)]
@@ -28,7 +29,7 @@ pub enum AnyBreadth {
 }
 
 impl AnyBreadth {
-    fn of<T: Field>(&self) -> Result<Breadth<T>> {
+    pub(crate) fn of<T: Field>(&self) -> Result<Breadth<T>> {
         Ok(match self {
             Self::Whole => Breadth::Whole,
             Self::All => Breadth::BetweenEnds(1),
@@ -90,37 +91,6 @@ impl From<Elastic<f64>> for AnyElastic {
 impl From<Elastic<Q>> for AnyElastic {
     fn from(elastic: Elastic<Q>) -> Self {
         Self::Exact(elastic)
-    }
-}
-
-/// Forces that act together; see [`Forces`].
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Load {
-    /// Forces at places.
-    pub single: Vec<(Coords, Coords)>,
-    /// Forces at all breaks.
-    pub at_breaks: Option<Coords>,
-    /// A force that varies over the shape.
-    pub density: Option<Value>,
-}
-
-impl Load {
-    pub(crate) fn of<'a, T: Field, S: Shape<T>>(
-        &self,
-        elastic: &'a Elastic<T>,
-        shape: &S,
-    ) -> Result<Forces<'a, T, S>> {
-        let mut forces = Forces::new(elastic, shape)?;
-        for (at, force) in &self.single {
-            forces.at(&place(at)?, point(force)?)?;
-        }
-        if let Some(all) = &self.at_breaks {
-            forces.at_breaks(&all_points(all)?)?;
-        }
-        if let Some(density) = &self.density {
-            S::add_density(&mut forces, density)?;
-        }
-        Ok(forces)
     }
 }
 
@@ -206,6 +176,12 @@ pub trait Anchors: Debug + Send + Sync {
     /// Those of [`Anchored::push`].
     fn pushed(&self, shape: &Value, load: &Load) -> Result<Moved>;
 
+    /// The shape with the constrained values on a curve at even parameters, and the forces.
+    ///
+    /// # Errors
+    /// [`Error::NoSuch`], and those of [`Anchored::meet_curve`].
+    fn met_curve(&self, shape: &Value, target: &Value) -> Result<Moved>;
+
     /// The shape without other forces, and the forces that hold it.
     ///
     /// # Errors
@@ -231,7 +207,7 @@ impl<T: Field, S: Shape<T>> Anchor<T, S> {
     }
 }
 
-impl<T: Field, S: Shape<T>> Anchors for Anchor<T, S> {
+impl<T: Field, S: Loaded<T>> Anchors for Anchor<T, S> {
     fn rows(&self) -> Rows {
         rows(self.held.rows())
     }
@@ -249,6 +225,11 @@ impl<T: Field, S: Shape<T>> Anchors for Anchor<T, S> {
     fn pushed(&self, shape: &Value, load: &Load) -> Result<Moved> {
         let forces = load.of(&self.body, S::inside(shape)?)?;
         self.edit(shape, |s| Ok(self.held.push(s, &forces)?))
+    }
+
+    fn met_curve(&self, shape: &Value, target: &Value) -> Result<Moved> {
+        let target = S::target(target)?;
+        self.edit(shape, |s| Ok(self.held.meet_curve(s, target)?))
     }
 
     fn relaxed(&self, shape: &Value) -> Result<Moved> {
@@ -314,7 +295,7 @@ impl AnyElastic {
     /// The shape under further forces.
     ///
     /// # Errors
-    /// [`Error::Fields`], and those of [`Forces::push`].
+    /// [`Error::Fields`], and those of [`Forces::push`](symspline::Forces::push).
     pub fn pushed(&self, shape: &Value, load: &Load) -> Result<Value> {
         shape!(shape, "push", T, s => {
             let mut moved = s.clone();
@@ -328,12 +309,20 @@ impl AnyElastic {
     /// # Errors
     /// As [`pushed`](Self::pushed).
     pub fn displacements(&self, shape: &Value, load: &Load) -> Result<(Vec<usize>, Coords)> {
-        fn of<T: Field, S: Shape<T>>(body: &Elastic<T>, s: &S, load: &Load) -> Result<(Vec<usize>, Coords)> {
+        fn of<T: Field, S: Loaded<T>>(body: &Elastic<T>, s: &S, load: &Load) -> Result<(Vec<usize>, Coords)> {
             let (places, points): (Vec<usize>, Vec<S::Point>) =
                 load.of(body, s)?.displacements()?.into_iter().unzip();
             Ok((places, flat::<T, _>(&points)))
         }
         shape!(shape, "displacements", T, s => of(Of::<T>::of(self)?, s, load))
+    }
+
+    /// The load of each control point that forces are.
+    ///
+    /// # Errors
+    /// [`Error::Fields`], and those of [`Forces::load`](symspline::Forces::load).
+    pub fn load(&self, shape: &Value, load: &Load) -> Result<Coords> {
+        shape!(shape, "load", T, s => Ok(flat::<T, _>(&load.of(Of::<T>::of(self)?, s)?.load()?)))
     }
 
     /// Constraints to be met with the least energy.
@@ -346,15 +335,4 @@ impl AnyElastic {
             Ok(Box::new(Anchor { body: body.clone(), held: body.anchored(&wishes.on(s)?)? }) as Box<dyn Anchors>)
         })
     }
-}
-
-/// The stiffness matrix of a material on a space, row by row; see [`Material::matrix`].
-///
-/// # Errors
-/// Those of [`Material::matrix`].
-pub fn stiffness(space: &crate::AnySpace, weights: &Coords) -> Result<Coords> {
-    crate::both!(space, T, s => {
-        let matrix = material::<T>(weights)?.matrix(s)?.to_matrix()?;
-        Ok(T::coords(matrix.transpose().iter().cloned().collect()))
-    })
 }

@@ -4,12 +4,13 @@ use crate::error::{Error, Result};
 use crate::number::Field;
 use crate::over::Coords;
 use crate::shape;
-use crate::tools::edit::Of;
-use crate::tools::elastic::{AnyBreadth, AnyElastic, Load, material};
-use crate::tools::shape::{At, Shape, all_points, coords, place, point};
+use crate::tools::edit::{AnyDrag, Of};
+use crate::tools::elastic::{AnyBreadth, AnyElastic, Pulls, material};
+use crate::tools::forces::{Load, Loaded};
+use crate::tools::shape::{At, all_points, coords, place, point};
 use crate::value::Value;
 use std::fmt::Debug;
-use symspline::{Elastic, Material, Reach, Sculptor, Spread};
+use symspline::{Drag, Elastic, Material, Reach, Sculptor, Spread};
 
 /// A shape in the hands of a sculptor; see [`Sculptor`].
 pub trait Sculpts: Debug + Send + Sync {
@@ -60,20 +61,35 @@ pub trait Sculpts: Debug + Send + Sync {
     /// # Errors
     /// [`Error::Fields`], and those of [`Sculptor::push_all`].
     fn push_all(&mut self, body: &AnyElastic, load: &Load) -> Result<()>;
-    /// Takes other materials and another reach, from the next grip on.
+    /// The body that a grip here would have.
+    ///
+    /// # Errors
+    /// Those of [`Sculptor::elastic`].
+    fn elastic(&mut self, at: &Coords) -> Result<AnyElastic>;
+    /// The force of the grip, prepared.
+    fn pull(&self) -> Option<Box<dyn Pulls>>;
+    /// Where the place that is held was, and the force under which the shape is shown.
+    fn held(&self) -> Option<(Coords, Coords)>;
+    /// Takes other materials, another reach and another spread, from the next grip on.
     ///
     /// # Errors
     /// Those of [`Sculptor::set_materials`] and [`Sculptor::set_reach`].
-    fn set(&mut self, materials: Option<&[Coords]>, reach: Option<&[AnyBreadth]>) -> Result<()>;
+    fn set(
+        &mut self,
+        materials: Option<&[Coords]>,
+        reach: Option<&[AnyBreadth]>,
+        spread: Option<Spread>,
+    ) -> Result<()>;
 }
 
 fn reaches<T: Field>(reach: &[AnyBreadth]) -> Result<Vec<Reach<T>>> {
     reach.iter().map(AnyBreadth::reach).collect()
 }
 
-impl<T: Field, S: Shape<T>> Sculpts for Sculptor<T, S>
+impl<T: Field, S: Loaded<T>> Sculpts for Sculptor<T, S>
 where
-    AnyElastic: Of<T, Inner = Elastic<T>>,
+    AnyElastic: Of<T, Inner = Elastic<T>> + From<Elastic<T>>,
+    AnyDrag: From<Drag<T>>,
     S::Parameter: At<T>,
 {
     fn shape(&self) -> Value {
@@ -139,12 +155,32 @@ where
         Ok(Self::push_all(self, &forces)?)
     }
 
-    fn set(&mut self, materials: Option<&[Coords]>, reach: Option<&[AnyBreadth]>) -> Result<()> {
+    fn elastic(&mut self, at: &Coords) -> Result<AnyElastic> {
+        Ok(Self::elastic(self, &place(at)?)?.into())
+    }
+
+    fn pull(&self) -> Option<Box<dyn Pulls>> {
+        Some(Box::new(Self::pull(self)?.clone()))
+    }
+
+    fn held(&self) -> Option<(Coords, Coords)> {
+        Some((coords::<T, _>(self.start()?), coords::<T, _>(self.force()?)))
+    }
+
+    fn set(
+        &mut self,
+        materials: Option<&[Coords]>,
+        reach: Option<&[AnyBreadth]>,
+        spread: Option<Spread>,
+    ) -> Result<()> {
         if let Some(all) = materials {
             self.set_materials(all.iter().map(material).collect::<Result<Vec<_>>>()?)?;
         }
         if let Some(reach) = reach {
             self.set_reach(reaches(reach)?)?;
+        }
+        if let Some(spread) = spread {
+            self.set_spread(spread);
         }
         Ok(())
     }
@@ -161,7 +197,7 @@ pub fn sculptor(
     spread: Spread,
     limit: Option<usize>,
 ) -> Result<Box<dyn Sculpts>> {
-    fn of<T: Field, S: Shape<T>>(
+    fn of<T: Field, S: Loaded<T>>(
         shape: &S,
         materials: &[Coords],
         reach: Option<&[AnyBreadth]>,

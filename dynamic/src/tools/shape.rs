@@ -7,7 +7,7 @@ use crate::over::Coords;
 use crate::value::Value;
 use nalgebra::SVector;
 use symspline::{
-    Coeff, Controlled, Forces, Interval, Q, Rational, Rectangle, Restorable, Spline, TensorSpline, Workable,
+    Coeff, Controlled, Interval, Q, Rational, Rectangle, Restorable, Spline, TensorSpline, Workable,
 };
 
 /// A place on a shape, from numbers: one of a curve, two of a surface.
@@ -92,26 +92,10 @@ pub trait Shape<T: Field>:
 
     /// As a value.
     fn value(self) -> Value;
-
-    /// Adds a force that varies over the shape to forces, if it is polynomial; see [`Forces::density`].
-    ///
-    /// # Errors
-    /// [`Error::NoSuch`], and those of [`Forces::density`].
-    fn add_density(forces: &mut Forces<'_, T, Self>, density: &Value) -> Result<()> {
-        let _ = forces;
-        Err(density.none_of("force over a rational shape by"))
-    }
 }
 
 macro_rules! shapes {
-    (@density polynomial $T:ty) => {
-        fn add_density(forces: &mut Forces<'_, $T, Self>, density: &Value) -> Result<()> {
-            forces.density(Self::inside(density)?)?;
-            Ok(())
-        }
-    };
-    (@density rational $T:ty) => {};
-    ($kind:ident $density:ident: $($variant:ident $T:ty, $of:ty;)+) => {
+    ($kind:ident: $($variant:ident $T:ty, $of:ty;)+) => {
         $(impl Shape<$T> for $of {
             fn inside(value: &Value) -> Result<&Self> {
                 match value {
@@ -127,22 +111,20 @@ macro_rules! shapes {
             fn value(self) -> Value {
                 Value::$kind(Any::$variant(self))
             }
-
-            shapes!(@density $density $T);
         })+
     };
 }
 
 type P<T, const N: usize> = SVector<T, N>;
 
-shapes! { Spline polynomial: F1 f64, Spline<f64, f64>; F2 f64, Spline<f64, P<f64, 2>>; F3 f64, Spline<f64, P<f64, 3>>;
+shapes! { Spline: F1 f64, Spline<f64, f64>; F2 f64, Spline<f64, P<f64, 2>>; F3 f64, Spline<f64, P<f64, 3>>;
 Q1 Q, Spline<Q, Q>; Q2 Q, Spline<Q, P<Q, 2>>; Q3 Q, Spline<Q, P<Q, 3>>; }
-shapes! { Surface polynomial: F1 f64, TensorSpline<f64, f64>; F2 f64, TensorSpline<f64, P<f64, 2>>; F3 f64, TensorSpline<f64, P<f64, 3>>;
+shapes! { Surface: F1 f64, TensorSpline<f64, f64>; F2 f64, TensorSpline<f64, P<f64, 2>>; F3 f64, TensorSpline<f64, P<f64, 3>>;
 Q1 Q, TensorSpline<Q, Q>; Q2 Q, TensorSpline<Q, P<Q, 2>>; Q3 Q, TensorSpline<Q, P<Q, 3>>; }
-shapes! { Rational rational: F1 f64, Rational<Interval, f64, f64>; F2 f64, Rational<Interval, f64, P<f64, 2>>;
+shapes! { Rational: F1 f64, Rational<Interval, f64, f64>; F2 f64, Rational<Interval, f64, P<f64, 2>>;
 F3 f64, Rational<Interval, f64, P<f64, 3>>; Q1 Q, Rational<Interval, Q, Q>;
 Q2 Q, Rational<Interval, Q, P<Q, 2>>; Q3 Q, Rational<Interval, Q, P<Q, 3>>; }
-shapes! { RationalSurface rational: F1 f64, Rational<Rectangle, f64, f64>; F2 f64, Rational<Rectangle, f64, P<f64, 2>>;
+shapes! { RationalSurface: F1 f64, Rational<Rectangle, f64, f64>; F2 f64, Rational<Rectangle, f64, P<f64, 2>>;
 F3 f64, Rational<Rectangle, f64, P<f64, 3>>; Q1 Q, Rational<Rectangle, Q, Q>;
 Q2 Q, Rational<Rectangle, Q, P<Q, 2>>; Q3 Q, Rational<Rectangle, Q, P<Q, 3>>; }
 

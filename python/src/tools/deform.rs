@@ -1,166 +1,21 @@
 //! Curves and surfaces as elastic bodies.
 
 use crate::arguments::word;
-use crate::error::{Failure, Result};
-use crate::numbers::{Array, Num, Point, unite};
-use crate::space::Space;
+use crate::error::Result;
+use crate::numbers::{Array, Num, Point};
+use crate::tools::breadth::{Breadths, breadths};
+use crate::tools::load::Forces;
+use crate::tools::material::{Material, materials};
 use crate::tools::shape::{Wish, alike, wishes};
 use crate::tools::values::{Name, OneOrMore};
 use crate::value::Thing;
 use pyo3::prelude::*;
-use pyo3::types::{PyString, PyTuple};
 use symspline::Spread;
-use symspline_dynamic::tools::elastic::{self, Anchors, AnyBreadth, AnyElastic, Load, Pulls};
-use symspline_dynamic::{Coords, Meeting as _, Over, Value};
-
-/// Which coefficients may move: "whole", "all" (but the ends), ("ends", n), ("range", a, b), ("around", x, n), ("within", a, b), a
-/// list of indices; of a sculptor also ("nearest", n) and ("distance", d).
-#[derive(Debug)]
-pub struct Breadth(AnyBreadth, bool);
-
-impl<'py> FromPyObject<'_, 'py> for Breadth {
-    type Error = PyErr;
-
-    fn extract(object: Borrowed<'_, 'py, PyAny>) -> PyResult<Self> {
-        let wrong = || Failure::new("Word", format!("{} tells of no breadth", &*object));
-        if let Ok(word) = object.cast::<PyString>() {
-            return match word.to_string().as_str() {
-                "whole" => Ok(Self(AnyBreadth::Whole, true)),
-                "all" => Ok(Self(AnyBreadth::All, true)),
-                _ => Err(wrong().into()),
-            };
-        }
-        let tuple = match object.cast::<PyTuple>() {
-            Ok(tuple) => tuple,
-            Err(_) => return Ok(Self(AnyBreadth::Listed(object.extract()?), true)),
-        };
-        let items: Vec<Bound<'_, PyAny>> = tuple.iter().collect();
-        let Some((Ok(word), items)) = items.split_first().map(|(w, rest)| (w.extract::<String>(), rest))
-        else {
-            return Ok(Self(AnyBreadth::Listed(object.extract()?), true));
-        };
-        let number = |x: &Bound<'_, PyAny>| x.extract::<Num>().map(|x| x.0);
-        Ok(match (word.as_str(), items) {
-            ("ends", [n]) => Self(AnyBreadth::BetweenEnds(n.extract()?), true),
-            ("range", [a, b]) => Self(AnyBreadth::Range(a.extract()?, b.extract()?), true),
-            ("nearest", [n]) => Self(AnyBreadth::Nearest(n.extract()?), true),
-            ("around", [x, n]) => {
-                let x = number(x)?;
-                let exact = x.is_exact();
-                Self(AnyBreadth::Around(x, n.extract()?), exact)
-            }
-            ("within", [a, b]) => {
-                let (a, b) = (number(a)?, number(b)?);
-                let exact = a.is_exact() && b.is_exact();
-                Self(AnyBreadth::Within(a, b), exact)
-            }
-            ("distance", [d]) => {
-                let d = number(d)?;
-                let exact = d.is_exact();
-                Self(AnyBreadth::Distance(d), exact)
-            }
-            _ => return Err(wrong().into()),
-        })
-    }
-}
-
-/// Breadths, and whether their numbers are exact.
-pub fn breadths(all: Vec<Breadth>) -> (Vec<AnyBreadth>, bool) {
-    let exact = all.iter().all(|b| b.1);
-    (all.into_iter().map(|b| b.0).collect(), exact)
-}
-
-/// A reach as it is given: one breadth for a curve, a list of two for a surface.
-#[derive(Debug)]
-pub struct Breadths(pub Vec<Breadth>);
-
-impl<'py> FromPyObject<'_, 'py> for Breadths {
-    type Error = PyErr;
-
-    fn extract(object: Borrowed<'_, 'py, PyAny>) -> PyResult<Self> {
-        match object.extract::<Breadth>() {
-            Ok(one) => Ok(Self(vec![one])),
-            Err(_) => object.extract::<Vec<Breadth>>().map(Self),
-        }
-    }
-}
+use symspline_dynamic::tools::elastic::{self, Anchors, AnyElastic, Pulls};
+use symspline_dynamic::{Coords, Meeting as _, both};
 
 /// How forces are spread, by words.
 pub const SPREADS: [(&str, Spread); 2] = [("hat", Spread::Hat), ("point", Spread::Point)];
-
-/// An elastic material: what the derivatives of a deformation cost, `Material(stretching, bending, hardness=0)`.
-#[pyclass(frozen, eq, module = "symspline.deform", from_py_object)]
-#[derive(Clone, Debug, PartialEq)]
-pub struct Material(Coords);
-
-#[pymethods]
-impl Material {
-    #[new]
-    #[pyo3(signature = (stretching, bending, hardness=Num::int(0)))]
-    fn new(stretching: Num, bending: Num, hardness: Num) -> Result<Self> {
-        Self::checked(unite(vec![hardness.0, stretching.0, bending.0]))
-    }
-
-    /// The material with weights for the derivatives of order 0, 1, 2 and so on.
-    #[staticmethod]
-    fn of_orders(weights: Point) -> Result<Self> {
-        Self::checked(weights.0)
-    }
-
-    /// The weights of the derivatives of order 0, 1, 2 and so on.
-    #[getter]
-    fn weights(&self) -> Array {
-        Array::new(vec![self.0.len()], self.0.clone())
-    }
-
-    /// What the shape costs, a function, curve or surface: a sum of squares.
-    fn energy(&self, py: Python<'_>, shape: Thing) -> Result<Num> {
-        let shape = shape.0.among(self.0.is_exact())?;
-        Ok(Num(py.detach(|| elastic::energy(&shape, std::slice::from_ref(&self.0)))?))
-    }
-
-    /// The stiffness matrix on the coefficients of a space.
-    fn matrix(&self, py: Python<'_>, space: Space) -> Result<Array> {
-        let space = space.0.among(self.0.is_exact())?;
-        let dim = symspline_dynamic::both!(&*space, s => s.dim());
-        Ok(Array::new(vec![dim, dim], py.detach(|| elastic::stiffness(&space, &self.0))?))
-    }
-
-    fn __repr__(&self) -> String {
-        format!("<Material: weights {}>", Value::from(self.0.clone()))
-    }
-
-    /// What makes it again, and with what.
-    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, (Array,))> {
-        Ok((slf.get_type().getattr("of_orders")?, (slf.get().weights(),)))
-    }
-}
-
-impl Material {
-    fn checked(weights: Coords) -> Result<Self> {
-        match &weights {
-            Over::Float(_) => elastic::material::<f64>(&weights).map(drop)?,
-            Over::Exact(_) => elastic::material::<symspline::Q>(&weights).map(drop)?,
-        }
-        Ok(Self(weights))
-    }
-}
-
-/// Materials, and whether their numbers are exact.
-pub fn materials(all: OneOrMore<Material>) -> (Vec<Coords>, bool) {
-    let all: Vec<Coords> = all.list().into_iter().map(|m| m.0).collect();
-    let exact = all.iter().all(Over::is_exact);
-    (all, exact)
-}
-
-/// Forces: pairs of a place and a force, forces at all breaks, and one that varies.
-pub fn load(forces: Vec<(Point, Point)>, at_breaks: Option<Array>, density: Option<Thing>) -> Load {
-    Load {
-        single: forces.into_iter().map(|(at, force)| (at.0, force.0)).collect(),
-        at_breaks: at_breaks.map(|all| all.numbers),
-        density: density.map(|d| d.0),
-    }
-}
 
 /// A curve or surface as an elastic body of a material (of surfaces one, or one for each direction). `breadth` says which control
 /// points may move, one for each direction: "whole", "all" (but the ends), ("ends", n), ("range", a, b), ("around", x, n), ("within",
@@ -193,6 +48,14 @@ impl Elastic {
         self.0.moving()
     }
 
+    /// For each direction the integrals of the basis functions times the hat functions of the breaks: a row for each break.
+    fn forcing(&self, py: Python<'_>) -> Result<Vec<Array>> {
+        let dims: Vec<usize> = both!(&self.0, e => e.stiffnesses().iter().map(|s| s.space().dim()).collect());
+        let all = py.detach(|| self.0.forcing())?;
+        let shaped = |(all, n): (Coords, usize)| Array::new(vec![all.len() / n.max(1), n], all);
+        Ok(all.into_iter().zip(dims).map(shaped).collect())
+    }
+
     /// For each direction how its coefficients answer a unit force that hats spread at a place.
     fn responses(&self, at: Point) -> Result<Vec<Point>> {
         Ok(self.0.responses(&at.0)?.into_iter().map(Point).collect())
@@ -204,34 +67,65 @@ impl Elastic {
         Ok(Pull(self.0.pull_at(&shape, &at.0)?, self.0.is_exact()))
     }
 
-    /// The shape under further forces: pairs of a place and a force; forces at all breaks, linear in between; a `density` that varies over
-    /// a polynomial shape, a shape of its kind and field over its domain, per unit of the parameter.
-    #[pyo3(signature = (shape, forces=Vec::new(), *, at_breaks=None, density=None))]
+    /// The shape under further forces: pairs of a place and a force, or a `Load`; forces at all breaks, linear in between; a `density`
+    /// that varies over a polynomial shape, a shape of its kind over its domain, per unit of the parameter.
+    #[pyo3(signature = (shape, forces=Forces::default(), *, at_breaks=None, density=None))]
     fn pushed(
         &self,
         py: Python<'_>,
         shape: Thing,
-        forces: Vec<(Point, Point)>,
+        forces: Forces,
         at_breaks: Option<Array>,
         density: Option<Thing>,
     ) -> Result<Thing> {
-        let (shape, load) = (alike(shape.0, self.0.is_exact())?, load(forces, at_breaks, density));
+        let exact = self.0.is_exact();
+        let (shape, load) = (alike(shape.0, exact)?, forces.on(exact, at_breaks, density)?);
         Ok(Thing(py.detach(|| self.0.pushed(&shape, &load))?))
     }
 
     /// The control points that move under forces, as places in the list, and their displacements.
-    #[pyo3(signature = (shape, forces=Vec::new(), *, at_breaks=None, density=None))]
+    #[pyo3(signature = (shape, forces=Forces::default(), *, at_breaks=None, density=None))]
     fn displacements(
         &self,
         py: Python<'_>,
         shape: Thing,
-        forces: Vec<(Point, Point)>,
+        forces: Forces,
         at_breaks: Option<Array>,
         density: Option<Thing>,
     ) -> Result<(Vec<usize>, Array)> {
-        let (shape, load) = (alike(shape.0, self.0.is_exact())?, load(forces, at_breaks, density));
+        let exact = self.0.is_exact();
+        let (shape, load) = (alike(shape.0, exact)?, forces.on(exact, at_breaks, density)?);
         let (places, coords) = py.detach(|| self.0.displacements(&shape, &load))?;
         Ok((places, Array::of_points(shape.dim(), coords)))
+    }
+
+    /// The load of each control point that forces are, as a list: the right-hand side of the system.
+    #[pyo3(signature = (shape, forces=Forces::default(), *, at_breaks=None, density=None))]
+    fn load(
+        &self,
+        py: Python<'_>,
+        shape: Thing,
+        forces: Forces,
+        at_breaks: Option<Array>,
+        density: Option<Thing>,
+    ) -> Result<Array> {
+        let exact = self.0.is_exact();
+        let (shape, load) = (alike(shape.0, exact)?, forces.on(exact, at_breaks, density)?);
+        Ok(Array::of_points(shape.dim(), py.detach(|| self.0.load(&shape, &load))?))
+    }
+
+    /// The displacements of the control points under a load of each, zero where they are held.
+    fn solved(&self, py: Python<'_>, load: Array) -> Result<Array> {
+        let dim = load.dim(1)?;
+        let moved = py.detach(|| self.0.solved(&load.numbers, dim))?;
+        Ok(Array::new(load.shape, moved))
+    }
+
+    /// Half of the gradient of the energy at a list of control points: the load that keeps them where they are.
+    fn gradient(&self, py: Python<'_>, points: Array) -> Result<Array> {
+        let dim = points.dim(1)?;
+        let gradient = py.detach(|| self.0.gradient(&points.numbers, dim))?;
+        Ok(Array::new(points.shape, gradient))
     }
 
     /// Constraints to be met with the least energy, as those of `Constraints`.
@@ -252,7 +146,7 @@ impl Elastic {
 /// A force at one place of a shape, ready to be changed.
 #[pyclass(frozen, module = "symspline.deform")]
 #[derive(Debug)]
-pub struct Pull(Box<dyn Pulls>, bool);
+pub struct Pull(pub Box<dyn Pulls>, pub bool);
 
 #[pymethods]
 impl Pull {
@@ -315,17 +209,24 @@ impl Anchored {
         Ok(Self::out(py.detach(|| self.0.met(&shape, &targets.numbers))?))
     }
 
+    /// The shape with constrained points on a curve, at parameters at equal distances from the start to the end of its domain (of a
+    /// ring without the end): points of a surface that lie so on a path are moved onto a curve in space.
+    fn met_curve(&self, py: Python<'_>, shape: Thing, target: Thing) -> Result<(Thing, Array)> {
+        let (shape, target) = (alike(shape.0, self.1)?, alike(target.0, self.1)?);
+        Ok(Self::out(py.detach(|| self.0.met_curve(&shape, &target))?))
+    }
+
     /// The shape under further forces while the constrained values stay.
-    #[pyo3(signature = (shape, forces=Vec::new(), *, at_breaks=None, density=None))]
+    #[pyo3(signature = (shape, forces=Forces::default(), *, at_breaks=None, density=None))]
     fn pushed(
         &self,
         py: Python<'_>,
         shape: Thing,
-        forces: Vec<(Point, Point)>,
+        forces: Forces,
         at_breaks: Option<Array>,
         density: Option<Thing>,
     ) -> Result<(Thing, Array)> {
-        let (shape, load) = (alike(shape.0, self.1)?, load(forces, at_breaks, density));
+        let (shape, load) = (alike(shape.0, self.1)?, forces.on(self.1, at_breaks, density)?);
         Ok(Self::out(py.detach(|| self.0.pushed(&shape, &load))?))
     }
 
@@ -338,7 +239,6 @@ impl Anchored {
 
 /// Adds the classes to the module.
 pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_class::<Material>()?;
     module.add_class::<Elastic>()?;
     module.add_class::<Pull>()?;
     module.add_class::<Anchored>()

@@ -3,7 +3,10 @@
 use crate::arguments::word;
 use crate::error::Result;
 use crate::numbers::{Array, Point};
-use crate::tools::deform::{Breadths, Elastic, Material, SPREADS, breadths, load, materials};
+use crate::tools::breadth::{Breadths, breadths};
+use crate::tools::deform::{Elastic, Pull, SPREADS};
+use crate::tools::load::Forces;
+use crate::tools::material::{Material, materials};
 use crate::tools::values::{Name, OneOrMore};
 use crate::value::Thing;
 use pyo3::prelude::*;
@@ -68,17 +71,40 @@ impl Sculptor {
     }
 
     /// Adds forces on a body, as those of `Elastic.pushed`.
-    #[pyo3(signature = (body, forces=Vec::new(), *, at_breaks=None, density=None))]
+    #[pyo3(signature = (body, forces=Forces::default(), *, at_breaks=None, density=None))]
     fn push_all(
         &self,
         py: Python<'_>,
         body: &Elastic,
-        forces: Vec<(Point, Point)>,
+        forces: Forces,
         at_breaks: Option<Array>,
         density: Option<Thing>,
     ) -> Result<()> {
-        let load = load(forces, at_breaks, density);
+        let load = forces.on(body.0.is_exact(), at_breaks, density)?;
         Ok(py.detach(|| self.with(|s| s.push_all(&body.0, &load)))?)
+    }
+
+    /// The body that a grip at a place would have.
+    fn elastic(&self, py: Python<'_>, at: Point) -> Result<Elastic> {
+        Ok(Elastic(py.detach(|| self.with(|s| s.elastic(&at.0)))?))
+    }
+
+    /// The force at the place that is held, prepared; none if nothing is held.
+    #[getter]
+    fn pull(&self) -> Option<Pull> {
+        self.with(|s| Some(Pull(s.pull()?, s.shape().is_exact())))
+    }
+
+    /// Where the place that is held was when it was grabbed; none if nothing is held.
+    #[getter]
+    fn start(&self) -> Option<Point> {
+        self.with(|s| s.held()).map(|(start, _)| Point(start))
+    }
+
+    /// The force under which the shape is shown; none if nothing is held.
+    #[getter]
+    fn force(&self) -> Option<Point> {
+        self.with(|s| s.held()).map(|(_, force)| Point(force))
     }
 
     /// Lets go and keeps what is shown; whether there was anything.
@@ -122,12 +148,18 @@ impl Sculptor {
         Ok(self.with(|s| s.move_points(&indices, &by.numbers))?)
     }
 
-    /// Takes other materials or another reach from the next grip on.
-    #[pyo3(name = "set", signature = (*, material=None, reach=None))]
-    fn change(&self, material: Option<OneOrMore<Material>>, reach: Option<Breadths>) -> Result<()> {
+    /// Takes other materials, another reach or another spread from the next grip on.
+    #[pyo3(name = "set", signature = (*, material=None, reach=None, spread=None))]
+    fn change(
+        &self,
+        material: Option<OneOrMore<Material>>,
+        reach: Option<Breadths>,
+        spread: Option<&str>,
+    ) -> Result<()> {
         let material = material.map(|m| materials(m).0);
         let reach = reach.map(|r| breadths(r.0).0);
-        Ok(self.with(|s| s.set(material.as_deref(), reach.as_deref()))?)
+        let spread = spread.map(|name| word("spread", name, &SPREADS)).transpose()?;
+        Ok(self.with(|s| s.set(material.as_deref(), reach.as_deref(), spread))?)
     }
 }
 
