@@ -3,7 +3,6 @@
 use crate::arguments::{Along, word};
 use crate::error::{Failure, Result};
 use crate::numbers::{Array, Num, Point};
-use crate::space::Space;
 use crate::tools::values::Name;
 use crate::value::Thing;
 use pyo3::prelude::*;
@@ -12,7 +11,6 @@ use symspline::{Direction, Relief};
 use symspline_dynamic::tools::constraints::{self, Asked, Prepared, Rows, Wishes};
 use symspline_dynamic::tools::edit::{self, AnyDrag, Grip};
 use symspline_dynamic::tools::handle::{self, AnyHandle};
-use symspline_dynamic::tools::nodes;
 use symspline_dynamic::{Coords, Field, Meeting as _, Number, both};
 
 /// A linear edit of control points, prepared: how they move when a point is dragged.
@@ -116,34 +114,6 @@ fn leg_point(
     let shape = shape.0.among(target.0.is_exact() && tolerance.0.is_exact())?;
     let (knot, finer, place) = edit::leg_point(&shape, direction.0, &index.0, &target.0, &tolerance.0)?;
     Ok((Num(knot), finer.into(), place))
-}
-
-/// The knot whose insertion makes `x` a node of the space; none if it is one.
-#[pyfunction]
-fn node_placing_knot(space: Space, x: Num) -> Result<Option<Num>> {
-    Ok(nodes::placing_knot(&*space.0.among(x.0.is_exact())?, &x.0)?.map(Num))
-}
-
-/// The last coefficient whose node is at or before `x`, and the one whose node is nearest.
-#[pyfunction]
-fn nodes_around(space: Space, x: Num) -> Result<(usize, usize)> {
-    Ok(nodes::around(&*space.0.among(x.0.is_exact())?, &x.0)?)
-}
-
-/// The knot that puts `x` halfway between two nodes (none if it is there), where that lies ("there", "central", "left_gap",
-/// "right_gap"), and the first of the two nodes.
-#[pyfunction]
-fn halfway_knot(space: Space, x: Num) -> Result<(Option<Num>, &'static str, usize)> {
-    let (knot, regime, leg) = nodes::halfway(&*space.0.among(x.0.is_exact())?, &x.0)?;
-    Ok((knot.map(Num), regime, leg))
-}
-
-/// Ranges of indices: coefficients without influence outside the interval; knots there that can be removed if the sweep from the
-/// left is kept, and if the one from the right is.
-#[pyfunction]
-fn local_ranges(space: Space, start: Num, end: Num) -> Result<Vec<(usize, usize)>> {
-    let space = space.0.among(start.0.is_exact() && end.0.is_exact())?;
-    Ok(nodes::local(&space, &start.0, &end.0)?.map(|range| (range.start, range.end)).to_vec())
 }
 
 /// Constraints as they come from Python, and whether all their numbers are exact.
@@ -341,10 +311,6 @@ pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<CurvatureHandle>()?;
     module.add_function(wrap_pyfunction!(confined, module)?)?;
     module.add_function(wrap_pyfunction!(leg_point, module)?)?;
-    module.add_function(wrap_pyfunction!(node_placing_knot, module)?)?;
-    module.add_function(wrap_pyfunction!(nodes_around, module)?)?;
-    module.add_function(wrap_pyfunction!(halfway_knot, module)?)?;
-    module.add_function(wrap_pyfunction!(local_ranges, module)?)?;
     module.add_function(wrap_pyfunction!(with_tangent, module)?)?;
     module.add_function(wrap_pyfunction!(control_points, module)?)?;
     module.add_function(wrap_pyfunction!(derivative_at, module)?)
