@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from oracle import basis
 from symspline import Rational, RationalSurface, Space, Spline, Surface, SymsplineError
-from symspline.shape import Coupled, control_points, derivative_at
+from symspline.shape import Constraints, Coupled, control_points, derivative_at
 
 SPACE = Space(3, [0, 0, 0, 0, 1, 2, 3, 4, 4, 4, 4])
 POINTS = [[0, 0], [1, 2], [3, 3], [5, 3], [7, 2], [8, 0], [9, 1]]
@@ -91,6 +91,36 @@ def test_the_area_grows_to_first_order():
     assert list(moved.coeffs[0]) == corners[0] and list(moved.coeffs[4]) == corners[4]
     rounded = Coupled(polygon, [(0, 0), (4, 0)], ["area"]).dragged(polygon.to_float(), [[0, 0], [0, 0]], [1 / 3])
     assert np.allclose(np.array(rounded.coeffs, float), np.array(moved.coeffs, float), atol=1e-15)
+
+
+@pytest.mark.parametrize("shape", [SURFACE, SHAPES[3][0]], ids=["surface", "nurbs surface"])
+@pytest.mark.parametrize("direction", ["u", "v"])
+def test_isocurves_are_met(shape, direction):
+    held = Constraints(shape, [("isocurve", direction, X), ("isocurve", direction, 0)])
+    edge = shape.isocurve(direction, 0)
+    wanted = [[k, 7 - k, k * k] for k in range(4)]
+    moved = held.met(shape, wanted + control_points(edge).tolist())
+    assert moved.is_exact and moved.isocurve(direction, 0) == edge
+    assert control_points(moved.isocurve(direction, X)).tolist() == wanted
+
+
+def test_points_along_a_path_are_moved():
+    path = Spline(Space.bezier(2), [[0, 1], [1, 0], [2, 2]])
+    held = Constraints(SURFACE, [("along", path, 3), ((0, 0), (0, 0))])
+    moved = held.dragged(SURFACE, [[0, 0, 1], [0, 2, 0], [3, 0, 0], [0, 0, 0]])
+    for t, by in zip((0, Fraction(1, 2), 1), ([0, 0, 1], [0, 2, 0], [3, 0, 0])):
+        place = path(t)
+        assert list(moved(*place) - SURFACE(*place)) == by
+    assert list(moved(0, 0)) == list(SURFACE(0, 0))
+    # A float anywhere makes floats.
+    assert not Constraints(SURFACE, [("along", path.to_float(), 3)]).shape.is_exact
+    for constraint in (("isocurve", "u", 0), ("along", path, 2)):
+        assert kind_of(lambda constraint=constraint: Constraints(CURVE, [constraint])) == "NoSuch"
+    assert kind_of(lambda: Constraints(SURFACE, [("along", Spline.monomial(1), 2)])) == "NoSuch"
+    assert kind_of(lambda: Constraints(SURFACE, [("along", path, 0)])) == "TooFewPoints"
+    assert kind_of(lambda: Constraints(SURFACE, [("isocurve", "u", 3)])) == "OutsideDomain"
+    with pytest.raises(TypeError):
+        Constraints(SURFACE, [("isoline", "u", 1)])
 
 
 def kind_of(make):

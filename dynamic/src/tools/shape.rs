@@ -2,12 +2,14 @@
 
 use crate::any::Any;
 use crate::error::{Error, Result};
+use crate::family::AnySpline;
 use crate::number::{Field, Flat, points};
 use crate::over::Coords;
 use crate::value::Value;
 use nalgebra::SVector;
 use symspline::{
-    Coeff, Controlled, Forces, Interval, Q, Rational, Rectangle, Restorable, Spline, TensorSpline, Workable,
+    Coeff, Constraints, Controlled, Direction, Forces, Interval, Q, Rational, Rectangle, Restorable, Scalar,
+    Spline, TensorSpline, Workable,
 };
 
 /// A place on a shape, from numbers: one of a curve, two of a surface.
@@ -101,6 +103,36 @@ pub trait Shape<T: Field>:
         let _ = forces;
         Err(density.none_of("force over a rational shape by"))
     }
+
+    /// Adds the constraints on a whole isocurve of a surface; see [`Constraints::isocurve`].
+    ///
+    /// # Errors
+    /// [`Error::NoSuch`] for what is no surface, and those of [`Constraints::isocurve`].
+    fn with_isocurve<'a>(
+        constraints: Constraints<'a, T, Self>,
+        direction: Direction,
+        x: &T,
+    ) -> Result<Constraints<'a, T, Self>> {
+        let _ = (constraints, direction, x);
+        Err(no_plane("isocurve"))
+    }
+
+    /// Adds constraints on points along a curve in the parameters of a surface; see [`Constraints::along`].
+    ///
+    /// # Errors
+    /// [`Error::NoSuch`] for what is no surface, or no curve in the plane, and those of [`Constraints::along`].
+    fn with_points_along<'a>(
+        constraints: Constraints<'a, T, Self>,
+        path: &AnySpline,
+        count: usize,
+    ) -> Result<Constraints<'a, T, Self>> {
+        let _ = (constraints, path, count);
+        Err(no_plane("curve in the parameters"))
+    }
+}
+
+fn no_plane(operation: &'static str) -> Error {
+    Error::NoSuch { operation, left: String::from("a shape of one parameter"), right: String::new() }
 }
 
 macro_rules! shapes {
@@ -111,6 +143,26 @@ macro_rules! shapes {
         }
     };
     (@density rational $T:ty) => {};
+    (@plane Spline $T:ty) => {};
+    (@plane Rational $T:ty) => {};
+    (@plane $surface:ident $T:ty) => {
+        fn with_isocurve<'a>(
+            constraints: Constraints<'a, $T, Self>,
+            direction: Direction,
+            x: &$T,
+        ) -> Result<Constraints<'a, $T, Self>> {
+            Ok(constraints.isocurve(direction, x)?)
+        }
+
+        fn with_points_along<'a>(
+            constraints: Constraints<'a, $T, Self>,
+            path: &AnySpline,
+            count: usize,
+        ) -> Result<Constraints<'a, $T, Self>> {
+            let path = Value::from(if <$T as Scalar>::EXACT { path.to_exact()? } else { path.to_float()? });
+            Ok(constraints.along(Spline::<$T, P<$T, 2>>::inside(&path)?, count)?)
+        }
+    };
     ($kind:ident $density:ident: $($variant:ident $T:ty, $of:ty;)+) => {
         $(impl Shape<$T> for $of {
             fn inside(value: &Value) -> Result<&Self> {
@@ -129,6 +181,7 @@ macro_rules! shapes {
             }
 
             shapes!(@density $density $T);
+            shapes!(@plane $kind $T);
         })+
     };
 }

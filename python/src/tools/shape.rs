@@ -3,6 +3,7 @@
 use crate::arguments::{Along, word};
 use crate::error::{Failure, Result};
 use crate::numbers::{Array, Num, Point};
+use crate::spline::Spline;
 use crate::tools::values::Name;
 use crate::value::Thing;
 use pyo3::prelude::*;
@@ -123,6 +124,25 @@ pub enum Wish {
     Derivative(Point, Name),
     /// A linear functional: control points and their weights.
     Row(HashMap<usize, Num>),
+    /// An isocurve of a surface: the word, the direction, the parameter.
+    Isocurve(Said<0>, Along, Num),
+    /// Points along a curve in the parameters of a surface: the word, the curve, how many.
+    Along(Said<1>, Spline, usize),
+}
+
+/// One of the words of constraints.
+const WORDS: [&str; 2] = ["isocurve", "along"];
+
+/// The word with this place in the list.
+pub struct Said<const K: usize>;
+
+impl<'py, const K: usize> FromPyObject<'_, 'py> for Said<K> {
+    type Error = PyErr;
+
+    fn extract(object: Borrowed<'_, 'py, PyAny>) -> PyResult<Self> {
+        word("constraint", &object.extract::<String>()?, &[(WORDS[K], ())])?;
+        Ok(Self)
+    }
 }
 
 /// Constraints with further wishes.
@@ -144,6 +164,14 @@ pub fn wishes(
             let mut row: Vec<(usize, Number)> = row.into_iter().map(|(i, x)| (i, x.0)).collect();
             row.sort_by_key(|(i, _)| *i);
             Asked::Row(row)
+        }
+        Wish::Isocurve(_, direction, x) => {
+            exact &= x.0.is_exact();
+            Asked::Isocurve(direction.0, x.0)
+        }
+        Wish::Along(_, path, count) => {
+            exact &= path.0.is_exact();
+            Asked::Along(path.0, count)
         }
     });
     let asked = asked.collect();
@@ -173,7 +201,8 @@ pub fn matrix(rows: &Rows, count: usize, exact: bool) -> Result<Array> {
 /// Constraints on a shape with their matrix, prepared once and then dragged: control points move as little as possible.
 ///
 /// Each constraint is a pair of a place and an order of derivatives (0 the point; of surfaces both are pairs), or a dict from places
-/// in the list of control points to weights: a linear functional. `holding` are control points that stay, `freeing` the only ones
+/// in the list of control points to weights: a linear functional. Of surfaces it may be `("isocurve", direction, x)`, as many constraints
+/// as that isocurve has control points, or `("along", path, count)`, points along a curve in the parameter plane. `holding` are control points that stay, `freeing` the only ones
 /// that may move, `weights` pairs of a control point and how much its movement counts, `nearly` meets what cannot be met together by
 /// least squares. With `relief`, "knots" or "degree", the shape first gets more freedom where it needs it: see `shape`.
 #[pyclass(frozen, module = "symspline.shape")]
