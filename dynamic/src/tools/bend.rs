@@ -17,7 +17,7 @@ use symspline::{
     OffsetAxis, Q, Rotation, Round, Sphere, Surface,
 };
 
-/// From a centre and a point to the share of the way, if there is one; see [`ByShare`](symspline::ByShare).
+/// From a centre and a point to the share of the way, if there is one; see [`ByShare`].
 pub type Share<'a> = dyn Fn(&Coords, &Coords) -> Result<Option<Number>> + Sync + 'a;
 
 /// What a shape is bent about; see [`Bendable`].
