@@ -1,6 +1,5 @@
 """Meshes and subdivision."""
 
-import threading
 from fractions import Fraction
 
 import numpy as np
@@ -98,19 +97,6 @@ def test_exceptions_of_who_watches_come_out_as_they_are():
         DooSabin(CUBE).fine_tuned(alpha, watch=lambda: None)
     with pytest.raises(SymsplineError):
         DooSabin(CUBE).fine_tuned(alpha[1:], watch=refuse)
-
-
-def test_watching_lets_other_threads_work():
-    ticks, done = [], threading.Event()
-    other = threading.Thread(target=lambda: [ticks.append(None) or done.wait(0.001) for _ in range(10**6) if not done.is_set()])
-    other.start()
-    counts = []
-    DooSabin(CatmullClark(CUBE).refined(2).mesh).fine_tuned(
-        np.random.default_rng(2).uniform(0.8, 1.25, 192), watch=lambda *_: counts.append(len(ticks)), iterations=60
-    )
-    done.set()
-    other.join()
-    assert counts[-1] > counts[0]
 
 
 FAN = [[0, 1, 4, 2], [0, 2, 5, 3], [0, 3, 6, 1], [4, 1, 7]]
