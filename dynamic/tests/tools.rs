@@ -2,17 +2,23 @@
 
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
-use symspline::{Norm, Q, Scalar, SplineSpace, Spread};
+use symspline::{Direction, Norm, Q, Scalar, SplineSpace, Spread};
+use symspline_dynamic::tools::bend::{About, AnyBend, Centre, Ratio, bent};
 use symspline_dynamic::tools::constraints::{Asked, Wishes, constrained};
+use symspline_dynamic::tools::coupled::{Tie, coupled};
 use symspline_dynamic::tools::edit::{AnyDrag, Grip};
 use symspline_dynamic::tools::elastic::{AnyBreadth, AnyElastic};
 use symspline_dynamic::tools::forces::{Along, Load};
 use symspline_dynamic::tools::tuner::{Keeping, curve_tuner};
 use symspline_dynamic::tools::warp::{AnyRegion, Assignment, warped};
-use symspline_dynamic::{AnySpace, AnySpline, AnySurface, Coords, Error, Over, Result, Value};
+use symspline_dynamic::{AnySpace, AnySpline, AnySurface, Coords, Error, Number, Over, Result, Value};
 
 fn exact(numbers: &[i64]) -> Coords {
     Over::Exact(numbers.iter().map(|x| Q::int(*x)).collect())
+}
+
+fn exact_number(x: i64) -> Number {
+    Over::Exact(Q::int(x))
 }
 
 fn line(degree: usize) -> Result<AnySpace> {
@@ -49,6 +55,44 @@ fn places_and_names_have_as_many_numbers_as_there_are_parameters() -> Result<()>
     assert_eq!(named, Err(Error::Dimensions { left: 2, right: 1 }));
     let number = Value::from(Over::Exact(Q::int(1)));
     assert!(matches!(place(&number, &[0]), Err(Error::NoSuch { .. })));
+    Ok(())
+}
+
+#[test]
+fn coupled_constraints_are_for_one_kind_and_one_field() -> Result<()> {
+    let ties = [Tie::Along(exact(&[1]), vec![1], exact(&[0, 1])), Tie::Area];
+    let held = coupled(&curve()?, &Wishes::default(), &ties)?;
+    assert_eq!(held.dragged(&curve()?, &exact(&[]), &exact(&[0, 0]))?, curve()?);
+    for other in [surface()?, curve()?.to_float()?] {
+        let refused = held.dragged(&other, &exact(&[]), &exact(&[0, 0]));
+        assert!(matches!(refused, Err(Error::NoSuch { .. })));
+    }
+    let area = |shape: &Value| coupled(shape, &Wishes::default(), &[Tie::Area]).map(drop);
+    assert!(matches!(area(&surface()?), Err(Error::NoSuch { .. })));
+    let isocurve =
+        Wishes { asked: vec![Asked::Isocurve(Direction::U, exact_number(1))], ..Wishes::default() };
+    assert!(matches!(constrained(&curve()?, &isocurve).map(drop), Err(Error::NoSuch { .. })));
+    assert_eq!(constrained(&surface()?, &isocurve)?.rows().len(), 2);
+    Ok(())
+}
+
+#[test]
+fn errors_of_a_share_come_out_as_they_are() -> Result<()> {
+    let bend = |about| AnyBend {
+        centre: Centre::Point(exact(&[0, -1])),
+        about,
+        ratio: Ratio::Constant(exact_number(1)),
+        direction: Direction::U,
+        interval: None,
+        refine: None,
+        tails: true,
+    };
+    let refuse = |_: &Coords, _: &Coords| Err(Error::DivisionByZero);
+    assert_eq!(bent(&curve()?, &bend(About::Share(&refuse))), Err(Error::DivisionByZero));
+    let stay = |_: &Coords, _: &Coords| Ok(Some(exact_number(1)));
+    assert_eq!(bent(&curve()?, &bend(About::Share(&stay)))?, curve()?);
+    let other = bent(&curve()?, &bend(About::Shape(curve()?.to_float()?)));
+    assert!(matches!(other, Err(Error::NoSuch { .. })));
     Ok(())
 }
 

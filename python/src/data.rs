@@ -1,4 +1,4 @@
-//! Splines from data: interpolation, least squares, conics, skins.
+//! Splines from data: interpolation, least squares, conics.
 
 use crate::arguments::{ENDS, word};
 use crate::error::{Failure, Result};
@@ -6,12 +6,12 @@ use crate::numbers::{Array, Num};
 use crate::rational::Rational;
 use crate::space::Space;
 use crate::spline::Spline;
-use crate::surface::Surface;
 use nalgebra::SVector;
 use pyo3::prelude::*;
-use symspline::{Error, Skin, Spline as SplineOf};
+use symspline::{Error, Spline as SplineOf, chord_length};
 use symspline_dynamic::operators::coefficient;
-use symspline_dynamic::{Any, AnySpline, Coords, Field, Spaced, both, each, together, with_points};
+use symspline_dynamic::tools::shape::all_points;
+use symspline_dynamic::{AnySpline, Coords, Field, Over, Spaced, both, each, together, with_points};
 
 /// One text for data at parameters in a space: `$x` parameters, `$p` points.
 macro_rules! fitted {
@@ -57,6 +57,19 @@ impl Spline {
     #[staticmethod]
     fn interpolating(py: Python<'_>, space: &Space, parameters: Array, data: Array) -> Result<Self> {
         fitted!(py, space, parameters, data, T, s, x, p => SplineOf::interpolating(s, &x, &p))
+    }
+
+    /// Parameters from 0 to 1 that advance like the lengths of the legs between points, of shape `(n, d)`: an array of shape `(n,)`,
+    /// over floats.
+    #[staticmethod]
+    fn chord_length(points: Array) -> Result<Array> {
+        let (dim, floats) = (points.dim(1)?, points.numbers.to_float()?);
+        let found = match (&floats, dim) {
+            (Over::Float(_), 2) => chord_length(&all_points::<f64, SVector<f64, 2>>(&floats)?)?,
+            (Over::Float(_), 3) => chord_length(&all_points::<f64, SVector<f64, 3>>(&floats)?)?,
+            (_, found) => return Err(symspline_dynamic::Error::Dimension { found, least: 2 }.into()),
+        };
+        Ok(Array::row(found))
     }
 
     /// As `interpolating`; a parameter that is repeated asks for derivatives.
@@ -184,94 +197,5 @@ impl Rational {
         let (s, c, w) = (&zero_one.0, &points.numbers, &weights.list()?);
         together!(s, c, w);
         Ok(Self(symspline_dynamic::AnyRational::new(s.into_owned(), dim, c.into_owned(), w.into_owned())?))
-    }
-}
-
-#[pymethods]
-impl Surface {
-    /// The skin through curves, its sections at `parameters` of `v` (evenly spaced, or by "chord" length or "centripetal"), of a degree
-    /// in `v`. With `closed` it comes back to the first; `start` and `end` are curves of tangents across the first and last section.
-    #[staticmethod]
-    #[pyo3(signature = (sections, degree, parameters=None, *, spacing=None, closed=false, start=None, end=None))]
-    #[allow(clippy::too_many_arguments, reason = "they are the keywords of Python")]
-    fn skin(
-        py: Python<'_>,
-        sections: Vec<Spline>,
-        degree: usize,
-        parameters: Option<Array>,
-        spacing: Option<&str>,
-        closed: bool,
-        start: Option<Spline>,
-        end: Option<Spline>,
-    ) -> Result<Self> {
-        let parameters = parameters.map(Array::list).transpose()?;
-        let all = sections.iter().chain(&start).chain(&end);
-        let exact = all.clone().all(|s| s.0.is_exact()) && parameters.as_ref().is_none_or(Coords::is_exact);
-        let exact = exact && spacing.is_none();
-        let field =
-            |s: &Spline| -> Result<AnySpline> { Ok(if exact { s.0.clone() } else { s.0.to_float()? }) };
-        let sections = sections.iter().map(field).collect::<Result<Vec<_>>>()?;
-        let [start, end] = [start, end].map(|s| s.as_ref().map(field).transpose());
-        let (start, end) = (start?, end?);
-        let Some(first) = sections.first() else {
-            return Err(Error::from(symspline::SkinError::TooFewSections { expected: 2, found: 0 }).into());
-        };
-        // One text for each kind of curve; the spacing by lengths is for floats alone.
-        macro_rules! skin {
-            ($($kind:ident: $T:ty, $spaced:expr;)+) => {
-                match first {
-                    $(Any::$kind(_) => {
-                        let inner = |s: &AnySpline| match s {
-                            Any::$kind(s) => Ok(s.clone()),
-                            other => Err(Failure::from(symspline_dynamic::Error::Dimensions {
-                                left: first.dim(),
-                                right: other.dim(),
-                            })),
-                        };
-                        let curves = sections.iter().map(inner).collect::<Result<Vec<_>>>()?;
-                        let mut skin = if closed { Skin::closed_through(&curves)? } else { Skin::through(&curves)? };
-                        if let Some(parameters) = &parameters {
-                            skin = skin.with_parameters(&<$T>::all_of(parameters)?)?;
-                        }
-                        if let Some(spacing) = spacing {
-                            skin = $spaced(skin, spacing)?;
-                        }
-                        if let Some(start) = &start {
-                            skin = skin.start_tangents(&inner(start)?)?;
-                        }
-                        if let Some(end) = &end {
-                            skin = skin.end_tangents(&inner(end)?)?;
-                        }
-                        Ok(Self(skin.surface(degree)?.into()))
-                    })+
-                }
-            };
-        }
-        fn lengths<const N: usize>(
-            skin: Skin<f64, SVector<f64, N>>,
-            spacing: &str,
-        ) -> Result<Skin<f64, SVector<f64, N>>> {
-            match spacing {
-                "chord" => Ok(skin.by_chord_length()?),
-                "centripetal" => Ok(skin.centripetal()?),
-                other => Err(Failure::new(
-                    "Spacing",
-                    format!("'{other}' is no spacing: \"chord\" or \"centripetal\" is"),
-                )),
-            }
-        }
-        fn none<S>(_: S, _: &str) -> Result<S> {
-            Err(Failure::new("Spacing", "spacing by lengths is for curves over floats"))
-        }
-        py.detach(|| {
-            skin!(
-                F1: f64, none;
-                F2: f64, lengths;
-                F3: f64, lengths;
-                Q1: symspline::Q, none;
-                Q2: symspline::Q, none;
-                Q3: symspline::Q, none;
-            )
-        })
     }
 }

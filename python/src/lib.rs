@@ -11,8 +11,8 @@ mod numbers;
 mod arguments;
 mod record;
 mod space;
-mod maps;
 mod spline;
+mod maps;
 mod surface;
 mod rational;
 mod rational_surface;
@@ -26,6 +26,7 @@ mod pieces;
 mod approximate;
 mod range;
 mod data;
+mod skin;
 mod scipy;
 mod tools;
 

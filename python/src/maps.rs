@@ -3,10 +3,11 @@
 use crate::error::Result;
 use crate::numbers::{Array, Num};
 use crate::space::Space;
+use crate::spline::Spline;
 use pyo3::prelude::*;
 use symspline::limits::MAX_ENTRIES;
 use symspline::{Error, Functional, LinearMap};
-use symspline_dynamic::{Field, Number, both, together};
+use symspline_dynamic::{Any, Field, Number, Over, both, together};
 
 /// A row of weights: the index of the first, and the weights.
 type Weights = (usize, Array);
@@ -89,6 +90,62 @@ impl Space {
         let (s, t) = (&self.0, &target.0);
         together!(s, t);
         py.detach(|| both_alike!(&*s, &*t, s, t => matrix(s.embedding(t))))
+    }
+
+    /// The open space with clamped ends of the splines here, restricted to `[a, b]`.
+    fn restricted_space(&self, a: Num, b: Num) -> Result<Self> {
+        let (s, a, b) = (&self.0, &a.0, &b.0);
+        together!(s, a, b);
+        both!(&*s, T, s => Ok(Self(s.restricted_space(&T::of(&a)?, &T::of(&b)?)?.into())))
+    }
+
+    /// The matrix of the restriction to `[a, b]`, from coefficients here to coefficients in `restricted_space(a, b)`.
+    fn restriction(&self, py: Python<'_>, a: Num, b: Num) -> Result<Array> {
+        let (s, a, b) = (&self.0, &a.0, &b.0);
+        together!(s, a, b);
+        py.detach(|| both!(&*s, T, s => matrix(s.restriction(&T::of(&a)?, &T::of(&b)?))))
+    }
+
+    /// The matrix of the reversal, from coefficients here to coefficients in `reversed()`: a permutation.
+    fn reversal(&self, py: Python<'_>) -> Result<Array> {
+        py.detach(|| both!(&self.0, T, s => matrix::<T>(Ok(s.reversal()))))
+    }
+
+    /// The matrix that takes Bernstein coefficients on the spans, those of `pieces(degree)`, to coefficients here, of splines that lie
+    /// here.
+    fn recomposition(&self, py: Python<'_>) -> Result<Array> {
+        py.detach(|| both!(&self.0, T, s => matrix::<T>(s.recomposition())))
+    }
+
+    /// The composition with an inner function: the space of the results, and the matrix from coefficients here to those there.
+    fn composition(&self, py: Python<'_>, inner: &Spline) -> Result<(Self, Array)> {
+        let (s, inner) = (&self.0, &inner.0);
+        together!(s, inner);
+        py.detach(|| match (&*s, &*inner) {
+            (Over::Float(s), Any::F1(inner)) => {
+                let (space, map) = s.composition(inner)?;
+                Ok((Self(space.into()), matrix(Ok(map))?))
+            }
+            (Over::Exact(s), Any::Q1(inner)) => {
+                let (space, map) = s.composition(inner)?;
+                Ok((Self(space.into()), matrix(Ok(map))?))
+            }
+            (_, inner) => Err(symspline_dynamic::Error::Dimensions { left: 1, right: inner.dim() }.into()),
+        })
+    }
+
+    /// From where to where basis function `i` of the unrolled space has influence.
+    fn support(&self, i: usize) -> Result<(Num, Num)> {
+        both!(&self.0, s => {
+            let (a, b) = s.support(i)?;
+            Ok((Num(a.clone().number()), Num(b.clone().number())))
+        })
+    }
+
+    /// So many parameters at equal distances from the start to the end of the domain, of shape `(count,)`; of a ring the end is left
+    /// out.
+    fn even_parameters(&self, count: usize) -> Result<Array> {
+        both!(&self.0, s => Ok(Array::row(s.even_parameters(count)?)))
     }
 
     /// The inner products of the `k`-th derivatives of the basis functions here with the `l`-th of those of the other space, between

@@ -1,7 +1,7 @@
 //! Meshes.
 
 use crate::error::{Failure, Result};
-use crate::numbers::Array;
+use crate::numbers::{Array, Point};
 use pyo3::prelude::*;
 use symspline_dynamic::tools::subdivision;
 use symspline_dynamic::{AnyMesh, Field, both};
@@ -10,6 +10,11 @@ use symspline_dynamic::{AnyMesh, Field, both};
 #[pyclass(frozen, eq, module = "symspline", from_py_object)]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mesh(pub AnyMesh);
+
+/// The index, if there is such a thing.
+fn within(index: usize, length: usize) -> Result<usize> {
+    if index < length { Ok(index) } else { Err(symspline::Error::IndexOutOfRange { index, length }.into()) }
+}
 
 #[pymethods]
 impl Mesh {
@@ -46,10 +51,7 @@ impl Mesh {
     fn edge_between(&self, v: usize, w: usize) -> Result<Option<usize>> {
         both!(&self.0, m => {
             let count = m.topology().vertex_count();
-            match [v, w].into_iter().find(|i| *i >= count) {
-                Some(index) => Err(symspline::Error::IndexOutOfRange { index, length: count }.into()),
-                None => Ok(m.topology().edge_between(v, w)),
-            }
+            Ok(m.topology().edge_between(within(v, count)?, within(w, count)?))
         })
     }
 
@@ -87,6 +89,59 @@ impl Mesh {
     #[getter]
     fn valences(&self) -> Vec<usize> {
         both!(&self.0, m => (0..m.topology().vertex_count()).map(|v| m.topology().valence(v)).collect())
+    }
+
+    /// The boundaries, each a chain of vertices with the surface on its left.
+    #[getter]
+    fn boundaries(&self) -> Vec<Vec<usize>> {
+        both!(&self.0, m => {
+            let t = m.topology();
+            t.boundaries().into_iter().map(|chain| chain.into_iter().map(|h| t.origin(h)).collect()).collect()
+        })
+    }
+
+    /// The edges at a vertex, counter-clockwise: at the boundary from the first to the last.
+    fn edges_at(&self, v: usize) -> Result<Vec<usize>> {
+        both!(&self.0, m => Ok(m.topology().edges_at(within(v, m.topology().vertex_count())?).collect()))
+    }
+
+    /// The faces at a vertex, counter-clockwise: at the boundary from the first to the last.
+    fn faces_at(&self, v: usize) -> Result<Vec<usize>> {
+        both!(&self.0, m => {
+            let t = m.topology();
+            Ok(t.leaving(within(v, t.vertex_count())?).map(|h| t.face_of(h)).collect())
+        })
+    }
+
+    /// The corners at a vertex, in the order of `faces_at`. Corners are counted face by face, in the order of `faces`: they are the
+    /// vertices of a converted surface, and what `fixed_corners` names.
+    fn corners_at(&self, v: usize) -> Result<Vec<usize>> {
+        both!(&self.0, m => Ok(m.topology().leaving(within(v, m.topology().vertex_count())?).collect()))
+    }
+
+    /// The edges of a face, each from a vertex in `faces` to the next.
+    fn edges_of(&self, f: usize) -> Result<Vec<usize>> {
+        both!(&self.0, m => {
+            let t = m.topology();
+            Ok(t.sides(within(f, t.face_count())?).map(|h| t.edge_of(h)).collect())
+        })
+    }
+
+    /// The faces beside an edge: two, or one at the boundary. The first is on its left.
+    fn faces_beside(&self, e: usize) -> Result<Vec<usize>> {
+        both!(&self.0, m => {
+            let t = m.topology();
+            let side = t.side(within(e, t.edge_count())?);
+            Ok([Some(side), t.twin(side)].into_iter().flatten().map(|h| t.face_of(h)).collect())
+        })
+    }
+
+    /// The mean of the corners of a face.
+    fn centroid(&self, f: usize) -> Result<Point> {
+        both!(&self.0, m => {
+            let centroid = m.centroid(within(f, m.topology().face_count())?);
+            Ok(Point(Field::coords(centroid.iter().cloned().collect())))
+        })
     }
 
     /// Whether coordinates are fractions.

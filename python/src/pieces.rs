@@ -2,11 +2,15 @@
 
 use crate::error::Result;
 use crate::numbers::{Array, Num};
+use crate::space::Space;
 use crate::spline::Spline;
 use pyo3::prelude::*;
+use std::borrow::Cow;
 use symspline::PowerForm;
 use symspline_dynamic::number::flat;
-use symspline_dynamic::{Any, Error, Field, alike, each, together, with_points};
+use symspline_dynamic::{
+    Any, Coords, Error, Field, Meeting as _, Spaced, alike, each, together, with_points,
+};
 
 #[pymethods]
 impl Spline {
@@ -54,16 +58,32 @@ impl Spline {
         })
     }
 
-    /// The spline with this power form, in the smallest space that holds it.
+    /// The spline with this power form, in the smallest space that holds it; or in `space`, to `tolerance`, the largest distance of
+    /// values.
     #[staticmethod]
-    fn from_power_form(py: Python<'_>, breaks: Array, pieces: Array) -> Result<Self> {
+    #[pyo3(signature = (breaks, pieces, space=None, tolerance=Num::int(0)))]
+    fn from_power_form(
+        py: Python<'_>,
+        breaks: Array,
+        pieces: Array,
+        space: Option<Space>,
+        tolerance: Num,
+    ) -> Result<Self> {
         let (dim, count) = (pieces.dim(2)?, pieces.shape[1].max(1));
         let (breaks, coeffs) = (&breaks.list()?, &pieces.numbers);
+        let exact = space.as_ref().is_none_or(|space| space.0.is_exact());
+        let (breaks, coeffs) = (&breaks.among(exact)?, &coeffs.among(exact)?);
+        let (breaks, coeffs): (&Coords, &Coords) = (breaks, coeffs);
         together!(breaks, coeffs);
+        let space = space.map(|space| space.0.among(coeffs.is_exact()).map(Cow::into_owned)).transpose()?;
         py.detach(|| {
             with_points!(&*coeffs, dim, T, c => {
                 let pieces = c.chunks(count).map(<[_]>::to_vec).collect();
-                Ok(Self(PowerForm::new(T::all_of(&breaks)?, pieces)?.to_smallest_spline()?.into()))
+                let form = PowerForm::new(T::all_of(&breaks)?, pieces)?;
+                Ok(Self(match &space {
+                    None => form.to_smallest_spline()?.into(),
+                    Some(space) => form.to_spline(<T as Spaced>::space(space)?, &T::of(&tolerance.0)?)?.into(),
+                }))
             })
         })
     }

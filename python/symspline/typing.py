@@ -37,5 +37,12 @@ Scales = Union[Space, tuple[Space, Space]]
 Floats = NDArray[np.float64]
 #: Two bounds.
 Bounds = tuple[float, float]
-#: Constraints on a shape: places with orders of derivatives, or weights of control points.
-ConstraintsLike = Sequence[Union[tuple[ArrayLike, Index], Mapping[int, NumberLike]]]
+#: Constraints on a shape: places with orders of derivatives, or weights of control points; of surfaces isocurves and curves too.
+ConstraintsLike = Sequence[
+    Union[
+        tuple[ArrayLike, Index],
+        Mapping[int, NumberLike],
+        tuple[Literal["isocurve"], Direction, NumberLike],
+        tuple[Literal["along"], Spline, int],
+    ]
+]

@@ -12,7 +12,18 @@ from symspline.analysis import ArcLength, CurvatureProfile, Projector
 from symspline.deform import Elastic, FullEnergy, Load, Material, Relaxation, Sculptor
 from symspline.fine_tune import FineTuner, NearestScale, fine_tuned_on
 from symspline.mesh import CatmullClark, ControlPolygon, DooSabin
-from symspline.shape import Constraints, CurvatureHandle, Drag, WeightPairPull, WeightPull
+from symspline.shape import (
+    Constraints,
+    Coupled,
+    CurvatureHandle,
+    CurveGravity,
+    Drag,
+    Gravity,
+    OffsetAxis,
+    Polygons,
+    WeightPairPull,
+    WeightPull,
+)
 
 LINE = Space.bezier(1)
 RING = Space(2, [0.0, 1.0, 2.0], 3.0)
@@ -58,9 +69,14 @@ OBJECTS = [
     Relaxation(CUBIC, MATERIAL, "all", HALF),
     Drag(CURVE, HALF),
     Constraints(CURVE, [(HALF, 0)]),
+    Coupled(CURVE, [(HALF, 0)], ["area", ("along", HALF, 1, [0, 1])]),
     CurvatureHandle(CURVE, HALF),
     WeightPull(NURBS, HALF, 2),
     WeightPairPull(NURBS, HALF, 2, 3),
+    Gravity([[[0, 0], [1, 1]]], 1),
+    CurveGravity([CURVE], 1.0),
+    Polygons([[[0, 0], [1, 0], [0, 1]]]),
+    OffsetAxis(SADDLE, HALF, 1.0),
     FineTuner(CURVE, LINE),
     NearestScale(CURVE, LINE, ["end"]),
     fine_tuned_on(CURVE, Spline(Space.bezier(1, Fraction(1, 4), HALF), [1, 2])),
@@ -71,7 +87,7 @@ OBJECTS = [
 WORDS = ["abc", "", "u", "l2", "points", "uv", "nearest", "end", "json", "whole", b"12"]
 NUMBERS = [0, 1, 2, -1, 0.5, HALF, 1e-3, float("nan"), float("inf"), 1e308, -(10**40), 2**62, 2**63, 2**64, 10**400, True]
 POINTS = [[0, 1], (HALF, 0.5), [1, 2, 3], [], [[]], [[1, 2], [3]], [[0, 0], [1, 1], [2, 0]], np.zeros((2, 2)), np.zeros((0, 3))]
-OTHERS = [None, {}, {1: 2}, {0: 1.0}, [(HALF, 0)], ["end"], [("point", HALF, (1, 2))], [[(0, 1)]], object(), len, ...]
+OTHERS = [None, {}, {1: 2}, {0: 1.0}, [(HALF, 0)], ["end"], ["area"], [("along", HALF, 0, (1, 2))], [("isocurve", "u", HALF)], [("point", HALF, (1, 2))], [[(0, 1)]], object(), len, ...]
 JUNK = OBJECTS + WORDS + NUMBERS + POINTS + OTHERS
 CALLABLES = [value for value in vars(_symspline).values() if inspect.isbuiltin(value)]
 CALLABLES += [value for value in vars(_symspline).values() if inspect.isclass(value) and not issubclass(value, Exception)]

@@ -10,7 +10,7 @@ from symspline.analysis import CurvatureProfile, Projector, intersections, meet_
 from symspline.deform import FullEnergy, Load, Material
 from symspline.fine_tune import FineTuner, fine_tuned_closed, fine_tuned_holding, scale_for_curvature_ratio
 from symspline.mesh import CatmullClark, ControlPolygon, DooSabin
-from symspline.shape import flattened, warped
+from symspline.shape import Gravity, flattened, warped
 
 HALF = Fraction(1, 2)
 LINE = Space.bezier(1)
@@ -43,6 +43,7 @@ RESULTS = [
     DooSabin(CUBE).fine_tuned(np.ones(12)),
     warped(CURVE, 0, 1, lambda share, parameter: (0, 1)),
     flattened(CURVE, [0, 0], line=[1, 0]),
+    Gravity([[[0, 0], [4, 0]]], 2).pull((1, HALF)),
     Spline.monomial(2).range(Fraction(1, 100))[0],
     SADDLE.coordinate(2).range(Fraction(1, 100))[1],
     zeros(Spline.monomial(1) - Fraction(1, 3))[0],

@@ -8,7 +8,9 @@ import numpy as np
 import oracle
 import pytest
 from hypothesis import given
-from strategies import places, spaces
+from hypothesis import strategies as st
+from oracle import value
+from strategies import places, spaces, splines
 from symspline import Space, Spline, SymsplineError
 
 HALF = Fraction(1, 2)
@@ -112,6 +114,56 @@ def test_powers_and_duals():
     assert weights @ f.coeffs[first : first + 4] == f(HALF)
 
 
+@given(splines(dim=1, periodic=True), places, places)
+def test_restriction_and_reversal_are_maps(f, a, b):
+    space, knots = f.space, list(f.space.knots)
+    # A ring is laid out as an open spline: the coefficients round again.
+    coeffs = [f.coeffs[i % space.dim] for i in range(len(knots) - space.degree - 1)]
+    reversal = space.reversal()
+    assert sorted(map(list, reversal)) == sorted(map(list, np.eye(space.dim, dtype=int)))
+    mirrored = Spline(space.reversed(), reversal @ f.coeffs)
+    # Away from knots, where limits from both sides agree.
+    for x in [Fraction(k, 37) for k in range(1, 37)]:
+        assert mirrored(1 - x) == value(knots, space.degree, coeffs, x)
+    if a < b:
+        target, matrix = space.restricted_space(a, b), space.restriction(a, b)
+        assert target.domain == (a, b) and matrix.shape == (target.dim, space.dim)
+        part = list(matrix @ f.coeffs)
+        for x in [a + (b - a) * Fraction(k, 37) for k in range(1, 37)]:
+            assert value(list(target.knots), target.degree, part, x) == value(knots, space.degree, coeffs, x)
+
+
+@given(spaces(periodic=True))
+def test_recomposition_undoes_pieces(space):
+    back = space.recomposition() @ space.embedding(space.pieces(space.degree))
+    assert (back == np.eye(space.dim, dtype=int)).all()
+
+
+def test_composition_is_a_map():
+    space, inner = Space.clamped(2, [0, Fraction(1, 4), Fraction(2, 3), 1]), Spline.monomial(2)
+    f = [3, -1, 4, 1, 5]
+    target, matrix = space.composition(Spline(Space.clamped(1, [0, HALF, 1]), [0, Fraction(1, 4), 1]))
+    assert target.degree == 2 and matrix.shape == (target.dim, space.dim)
+    for x in [Fraction(k, 37) for k in range(38)]:
+        y = x / 2 if x < HALF else Fraction(1, 4) + (x - HALF) * Fraction(3, 2)
+        assert value(list(target.knots), 2, list(matrix @ f), x) == value(list(space.knots), 2, f, y)
+    lines = Space.clamped(1, [0, Fraction(1, 4), 1])
+    target, matrix = lines.composition(inner)
+    assert target == Space.clamped(2, [0, HALF, HALF, 1]) and (matrix @ [0, 1, 4]).tolist() == [0, 0, 1, 2, 4]
+    with pytest.raises(SymsplineError) as caught:
+        space.composition(Spline.segment((0, 0), (1, 1)))
+    assert caught.value.kind == "Dimensions"
+
+
+@given(spaces(periodic=True), st.integers(1, 9))
+def test_supports_and_even_parameters(space, count):
+    knots = list(space.knots)
+    for i in range(len(knots) - space.degree - 1):
+        assert space.support(i) == (knots[i], knots[i + space.degree + 1])
+    steps = count if space.is_periodic else max(count - 1, 1)
+    assert list(space.even_parameters(count)) == [Fraction(k, steps) for k in range(count)]
+
+
 @given(spaces(periodic=True))
 def test_equal_spaces_have_equal_hashes_and_come_back(space):
     for again in (pickle.loads(pickle.dumps(space)), copy.copy(space), copy.deepcopy(space), space.to_exact()):
@@ -138,6 +190,12 @@ def test_negative_zero_hashes_as_zero():
         (lambda: Space.bezier(1).union(Space.bezier(1, 0, 2)), "DomainMismatch"),
         (lambda: Space.bezier(1).bisected().embedding(Space.bezier(1)), "TooSmooth"),
         (lambda: Space.uniform(1, 2**20).evaluation([0.5] * 1000), "TooLarge"),
+        (lambda: Space.bezier(2).support(3), "IndexOutOfRange"),
+        (lambda: Space.bezier(2).even_parameters(0), "TooFewPoints"),
+        (lambda: Space.bezier(2).even_parameters(10**15), "TooLarge"),
+        (lambda: Space.bezier(2).restriction(HALF, HALF), "EmptyDomain"),
+        (lambda: Space.bezier(2).restricted_space(0, 2), "OutsideDomain"),
+        (lambda: Space.uniform(1, 2**20).reversal(), "TooLarge"),
         (lambda: Space.bezier(2).slot(10**9) and Space.bezier(2).polar(7, [0, 0]), "EmptySpan"),
     ],
 )

@@ -183,6 +183,34 @@ def test_operators_keep_values(f, x):
     assert len(f.bezier_pieces()) == len(f.space.breaks) - 1
 
 
+def test_power_forms_in_a_space():
+    # A roof: x, then 2 - x.
+    breaks, pieces = [0, 1, 2], [[0, 1], [1, -1]]
+    target = Space.clamped(2, [0, 1, 1, 2])
+    roof = Spline.from_power_form(breaks, pieces, target)
+    assert roof.space == target and [roof(Fraction(k, 4)) for k in range(9)] == [Fraction(min(k, 8 - k), 4) for k in range(9)]
+    assert Spline.from_power_form(breaks, [[0.0, 1.0], [1.0, -1.0]], target, 1e-9).space == target.to_float()
+    for space, tolerance, kind in [
+        (Space.clamped(2, [0, 1, 2]), 0, "TooSmooth"),
+        (Space.clamped(2, [0, 1, 1, 3]), 0, "DomainMismatch"),
+        (target, -1, "BadTolerance"),
+    ]:
+        with pytest.raises(SymsplineError) as caught:
+            Spline.from_power_form(breaks, pieces, space, tolerance)
+        assert caught.value.kind == kind
+
+
+def test_chord_lengths():
+    for points in ([[0, 0], [3, 4], [3, 5], [0, 9]], np.random.default_rng(4).normal(size=(7, 3))):
+        legs = np.linalg.norm(np.diff(np.array(points, float), axis=0), axis=1)
+        found = Spline.chord_length(points)
+        assert np.allclose(found, np.cumsum([0, *legs]) / sum(legs), atol=1e-15) and found.dtype == np.float64
+    for points, kind in [([[0, 0]], "TooFewPoints"), ([[1, 1], [1, 1]], "NoLength"), ([0, 1, 2], "Dimension"), ([[[0]]], "Shape")]:
+        with pytest.raises(SymsplineError) as caught:
+            Spline.chord_length(points)
+        assert caught.value.kind == kind
+
+
 @given(splines(dim=2, least=1), st.integers(1, 2))
 def test_reductions_undo_elevations(f, by):
     higher = f.elevate(by)

@@ -163,6 +163,9 @@ def test_rational_surfaces():
     assert sphere_like.coordinate(0).range(0.1)[1].value == 1
 
 
+EDGES = [Spline.segment((0, 0, z), (1, z, z)) for z in (5, 7)]
+
+
 def test_skins():
     sections = [Spline.segment((0, 0, z), (1, z, z)) for z in (0, 1, 3)]
     skin = Surface.skin(sections, 2)
@@ -174,6 +177,38 @@ def test_skins():
     tangents = Spline.segment((0, 0, 1), (0, 0, 1))
     held = Surface.skin(sections, 3, start=tangents)
     assert held.derivatives_at(0, 0, 1)[0, 1].tolist() == [0, 0, 1]
+
+
+def test_skins_in_a_space():
+    sections = [Spline.segment((0, k, 0), (1, k, k * k % 3)) for k in range(4)]
+    space = Space.clamped(2, [0, Fraction(1, 3), 1])
+    at = [0, Fraction(1, 4), Fraction(3, 4), 1]
+    skin = Surface.skin(sections, None, at, space=space)
+    assert skin.v == space and skin.is_exact
+    for x, section in zip(at, sections):
+        for u in (0, Fraction(1, 3), 1):
+            assert skin(u, x).tolist() == section(u).tolist()
+    assert Surface.skin(sections, parameters=at, space=space.to_float()).v == space.to_float()
+
+
+@pytest.mark.parametrize("exact", [True, False])
+def test_skins_go_on_from_surfaces(exact):
+    def bent(k):
+        return Spline(Space.bezier(2), [[0, k, 0], [1, k, 2 - k], [2, k, k * k]])
+
+    before, after = Surface.skin([bent(0), bent(1), bent(2)], 2), Surface.skin([bent(4), bent(6)], 1)
+    sections = [bent(2), bent(3), bent(4)]
+    if not exact:
+        before, after, sections = before.to_float(), after.to_float(), [s.to_float() for s in sections]
+    skin = Surface.skin(sections, 3, continuing=(before, 2), continued_by=after, tolerance=0 if exact else 1e-12)
+    assert skin.is_exact == exact
+    for u in (0, Fraction(1, 3), Fraction(4, 5)):
+        start, end = skin.derivatives_at(u, 0, 1)[0, 1], skin.derivatives_at(u, 1, 1)[0, 1]
+        first, last = 2 * before.derivatives_at(u, 1, 1)[0, 1], after.derivatives_at(u, 0, 1)[0, 1]
+        if exact:
+            assert start.tolist() == first.tolist() and end.tolist() == last.tolist()
+        assert np.allclose(np.array([start, end], float), np.array([first, last], float), atol=1e-12)
+        assert np.allclose(np.array(skin(u, HALF), float), np.array(sections[1](u), float), atol=1e-12)
 
 
 def test_less_knots():
@@ -194,6 +229,14 @@ def test_less_knots():
         (lambda: saddle() + Spline.monomial(1), "NoSuch"),
         (lambda: saddle().composed(Spline.monomial(1)), "Dimensions"),
         (lambda: Surface.skin([], 1), "TooFewSections"),
+        (lambda: Surface.skin(EDGES), "Word"),
+        (lambda: Surface.skin(EDGES, 1, space=LINE), "Word"),
+        (lambda: Surface.skin(EDGES, 2, start=EDGES[0], continuing=saddle()), "Word"),
+        (lambda: Surface.skin(EDGES, space=Space.bezier(1, HALF, 1)), "OutsideDomain"),
+        (lambda: Surface.skin(EDGES, closed=True, space=LINE), "SpaceNotClosed"),
+        (lambda: Surface.skin(EDGES, 2, continuing=saddle()), "EdgeElsewhere"),
+        (lambda: Surface.skin(EDGES, 2, continued_by=(saddle(), -1), tolerance=100), "Ratio"),
+        (lambda: Surface.skin(EDGES, 2, continuing=saddle().coordinate(0)), "Dimensions"),
         (lambda: Surface.skin([Spline.monomial(1), Spline.segment((0, 0), (1, 1))], 1), "Dimensions"),
         (lambda: Surface.constant(Space.uniform(1, 2**20), Space.uniform(1, 2**20), 1), "TooLarge"),
         (lambda: RationalSurface(LINE, LINE, [[1, 2], [3, 4]], [[1, 2]]), "Shape"),

@@ -7,7 +7,8 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from symspline import Rational, Space, Spline, Surface, SymsplineError
+from symspline import Mesh, Rational, Space, Spline, Surface, SymsplineError
+from symspline.mesh import CatmullClark, DooSabin
 
 
 def long_work():
@@ -34,6 +35,39 @@ def test_long_work_leaves_the_lock():
         time.sleep(taken / 100)
         turns += 1
     assert turns > 20, "the interpreter stood still"
+
+
+def watched_work():
+    """Springs that are watched for four steps, and how long that takes, a quarter of a second or more."""
+    corners = [[k & 1, k >> 1 & 1, k >> 2] for k in range(8)]
+    cube = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [1, 3, 7, 5], [3, 2, 6, 7], [2, 0, 4, 6]]
+    surface = CatmullClark(Mesh(corners, cube).to_float())
+    while True:
+        surface, calls = surface.refined(), []
+        springs = DooSabin(surface.mesh)
+        alpha = np.random.default_rng(2).uniform(0.8, 1.25, surface.mesh.edge_count)
+
+        def work(springs=springs, alpha=alpha, calls=calls):
+            springs.fine_tuned(alpha, watch=lambda *progress: calls.append(progress), iterations=4)
+
+        start = time.perf_counter()
+        work()
+        taken = time.perf_counter() - start
+        if taken > 0.25:
+            return work, calls, taken
+
+
+def test_work_that_is_watched_leaves_the_lock_between_calls():
+    work, calls, taken = watched_work()
+    calls.clear()
+    worker = threading.Thread(target=work)
+    turns = 0
+    worker.start()
+    # With the lock held between calls, this loop would come to its turn as often as there are calls.
+    while worker.is_alive():
+        time.sleep(taken / 100)
+        turns += 1
+    assert 1 <= len(calls) <= 5 and turns > 20, "the interpreter stood still"
 
 
 def test_threads_share_splines():

@@ -135,3 +135,25 @@ def test_surfaces():
     assert meeting.along == pytest.approx(5) and meeting.is_proved
     at, _, distances = Projector(bowl).feet([[0.0, 0.0, -1.0]])
     assert np.allclose(at, [[0, 0]], atol=1e-6) and np.allclose(distances, [1])
+
+
+def test_zeros_tell_whether_the_sign_changes():
+    x = Spline.monomial(1, -1, 1)
+    for power in (1, 2, 3, 4):
+        (zero,) = zeros(x**power)
+        assert zero.changes_sign == (power % 2 == 1) and zero.multiplicity == power
+    # At the end of the domain there is nothing on one side.
+    (zero,) = zeros(Spline.monomial(1))
+    assert zero.before is None and not zero.changes_sign
+
+
+def test_profiles_are_compared():
+    ellipses = [CurvatureProfile(Rational.ellipse([0, 0], [a, 0], [0, 1])) for a in (2, 3)]
+    rounded = CurvatureProfile(Rational.ellipse([0, 0], [2, 0], [0, 1]).to_float())
+    assert ellipses[0].differs_at(ellipses[1]) is ellipses[0].differs_at(rounded) is rounded.differs_at(ellipses[1]) is None
+    kinds = [[event.kind for event in profile.events] for profile in ellipses]
+    assert kinds[0] == kinds[1] and len(kinds[0]) >= 4
+    other = CurvatureProfile(Spline(Space.bezier(3), [[0, 0], [1, 2], [2, -2], [3, 0]]))
+    wanted = [event.kind for event in other.events]
+    first = next(i for i, (a, b) in enumerate(zip([*kinds[0], None], [*wanted, None])) if a != b)
+    assert ellipses[0].differs_at(other) == other.differs_at(rounded) == first

@@ -67,6 +67,98 @@ def test_springs_come_to_rest():
         DooSabin(CUBE).fine_tuned(alpha, stretchy=1.0)
 
 
+def test_springs_are_watched():
+    alpha = np.ones(12)
+    alpha[0] = 2.0
+    told = []
+    tuned = DooSabin(CUBE).fine_tuned(alpha, watch=lambda *progress: told.append(progress))
+    assert tuned == DooSabin(CUBE).fine_tuned(alpha)
+    steps, energies, gradients = zip(*told)
+    assert list(steps) == list(range(len(told))) and len(told) in (tuned.iterations, tuned.iterations + 1)
+    assert energies[0] == pytest.approx(tuned.energy_before) and energies[-1] < energies[0]
+    assert min(gradients) > 0
+    stopped = DooSabin(CUBE).fine_tuned(alpha, watch=lambda step, energy, gradient: step >= 2)
+    assert stopped.iterations == 2 and not stopped.converged and tuned.energy < stopped.energy < stopped.energy_before
+
+
+def test_exceptions_of_who_watches_come_out_as_they_are():
+    alpha = np.full(12, 1.5)
+    wrong, calls = KeyError("mine"), []
+
+    def refuse(step, energy, gradient):
+        calls.append(step)
+        if step == 1:
+            raise wrong
+
+    with pytest.raises(KeyError) as caught:
+        DooSabin(CUBE).fine_tuned(np.tile([1.0, 2.0], 6), watch=refuse)
+    assert caught.value is wrong and calls == [0, 1]
+    with pytest.raises(TypeError):
+        DooSabin(CUBE).fine_tuned(alpha, watch=lambda: None)
+    with pytest.raises(SymsplineError):
+        DooSabin(CUBE).fine_tuned(alpha[1:], watch=refuse)
+
+
+FAN = [[0, 1, 4, 2], [0, 2, 5, 3], [0, 3, 6, 1], [4, 1, 7]]
+
+
+@pytest.mark.parametrize("faces", [FACES, FAN], ids=["cube", "with a boundary"])
+def test_neighbours_by_the_lists_of_faces(faces):
+    mesh = Mesh([[k, k * k % 7, Fraction(k % 3, 2)] for k in range(8)], faces)
+    sides = [list(zip(face, face[1:] + face[:1])) for face in faces]
+    starts = np.cumsum([0, *map(len, faces)])
+    edges = [frozenset(edge) for edge in mesh.edges]
+    for f, face in enumerate(faces):
+        assert [edges[e] for e in mesh.edges_of(f)] == [frozenset(side) for side in sides[f]]
+        assert list(mesh.centroid(f)) == [sum(column) / len(face) for column in zip(*(mesh.points[v] for v in face))]
+    for v in range(8):
+        around = mesh.faces_at(v)
+        assert sorted(around) == [f for f, face in enumerate(faces) if v in face]
+        assert mesh.corners_at(v) == [starts[f] + faces[f].index(v) for f in around]
+        assert {e for e, ends in enumerate(edges) if v in ends} == set(mesh.edges_at(v)) and len(mesh.edges_at(v)) == mesh.valences[v]
+        # Counter-clockwise: the side that comes into a face is the one that leaves the next.
+        for f, g in zip(around, around[1:]):
+            before = faces[f][faces[f].index(v) - 1]
+            assert (v, before) in sides[g]
+        assert [edges[e] for e in mesh.edges_at(v)][: len(around)] == [frozenset(next(s for s in sides[f] if s[0] == v)) for f in around]
+    for e, (a, b) in enumerate(mesh.edges):
+        beside = mesh.faces_beside(e)
+        assert (a, b) in sides[beside[0]] and all((b, a) in sides[f] for f in beside[1:])
+        assert sorted(beside) == [f for f in range(len(faces)) if (a, b) in sides[f] or (b, a) in sides[f]]
+
+
+def test_boundaries_are_chains_of_vertices():
+    assert CUBE.boundaries == []
+    mesh = Mesh([[k, k * k % 7, k % 3] for k in range(8)], FAN)
+    (chain,) = mesh.boundaries
+    sides = {(a, b) for face in FAN for a, b in zip(face, face[1:] + face[:1])}
+    alone = {(a, b) for a, b in sides if (b, a) not in sides}
+    assert set(zip(chain, chain[1:] + chain[:1])) == alone and len(chain) == len(alone)
+    ring = Mesh([[k, k * k % 7, k % 3] for k in range(8)], [[k, (k + 1) % 4, (k + 1) % 4 + 4, k + 4] for k in range(4)])
+    assert sorted(map(len, ring.boundaries)) == [4, 4] and sorted(sum(ring.boundaries, [])) == list(range(8))
+
+
+def test_indices_beyond_are_refused():
+    for call, index in [(CUBE.edges_at, 8), (CUBE.faces_at, 8), (CUBE.corners_at, 8), (CUBE.edges_of, 6), (CUBE.faces_beside, 12), (CUBE.centroid, 6)]:
+        call(index - 1)
+        with pytest.raises(SymsplineError) as caught:
+            call(index)
+        assert caught.value.kind == "IndexOutOfRange" and caught.value.data == {"index": index, "length": index}
+
+
+def test_short_intervals_are_raised():
+    converted = DooSabin(CUBE).converted()
+    least = Fraction(1, 20)
+    shown = converted.with_least_interval(least)
+    assert 0 in converted.intervals and list(shown.intervals) == [max(x, least) for x in converted.intervals]
+    assert shown.mesh == converted.mesh and shown.boundary == converted.boundary
+    rounded = CatmullClark(CUBE.to_float(), np.arange(12.0)).with_least_interval(3.5)
+    assert list(rounded.intervals) == [max(x, 3.5) for x in range(12)]
+    assert CatmullClark(CUBE).with_least_interval(1) == CatmullClark(CUBE)
+    with pytest.raises(SymsplineError):
+        converted.with_least_interval(float("inf"))
+
+
 def test_chaikin_is_bisection():
     polygon = ControlPolygon([[0, 0], [4, 0], [4, 4]])
     assert list(polygon.refined().points[0]) == [1, 0]

@@ -6,64 +6,167 @@ use crate::family::{AnySpline, AnySurface};
 use crate::number::{Field, Number, flat};
 use crate::over::Coords;
 use crate::shape;
-use crate::tools::shape::{Shape, all_points, point};
+use crate::tools::shape::{Shape, all_points, coords, point};
 use crate::tools::warp::Refine;
 use crate::value::Value;
 use nalgebra::SVector;
+use std::cell::RefCell;
+use std::fmt;
 use symspline::{
-    Axis, Bend, BendCentre, Bendable, Coeff, Controlled, CrossRatio, Direction, Flat, Q, Rotation, Round,
-    Sphere,
+    Axis, Bend, BendCentre, Bendable, ByShare, Coeff, Controlled, CrossRatio, Direction, Flat, NurbsSurface,
+    OffsetAxis, Q, Rotation, Round, Sphere, Surface,
 };
 
+/// From a centre and a point to the share of the way, if there is one; see [`ByShare`].
+pub type Share<'a> = dyn Fn(&Coords, &Coords) -> Result<Option<Number>> + Sync + 'a;
+
 /// What a shape is bent about; see [`Bendable`].
-#[derive(Clone, Debug, PartialEq)]
-pub enum About {
+pub enum About<'a> {
     /// A circle, sphere or cylinder about the centre.
     Round(Number),
     /// A circle or sphere elsewhere.
     Sphere(Coords, Number),
     /// A line in the plane or a plane in space: a point and the normal.
     Flat(Coords, Coords),
+    /// A plane curve, or a surface over floats.
+    Shape(Value),
+    /// Any function.
+    Share(&'a Share<'a>),
 }
 
-/// The centre of a bend: a point, or a straight axis through it.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Centre {
-    /// The point.
-    pub point: Coords,
-    /// The direction of the axis.
-    pub axis: Option<Coords>,
-}
-
-enum BentAbout<T, const N: usize> {
-    Round(Round<T>),
-    Sphere(Sphere<T, N>),
-    Flat(Flat<T, N>),
-}
-
-impl<T: Field, const N: usize> Bendable<T, N> for BentAbout<T, N> {
-    fn share(&self, centre: &SVector<T, N>, point: &SVector<T, N>) -> symspline::Result<Option<T>> {
+impl fmt::Debug for About<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Round(about) => about.share(centre, point),
-            Self::Sphere(about) => about.share(centre, point),
-            Self::Flat(about) => about.share(centre, point),
+            Self::Round(radius) => f.debug_tuple("Round").field(radius).finish(),
+            Self::Sphere(centre, radius) => f.debug_tuple("Sphere").field(centre).field(radius).finish(),
+            Self::Flat(origin, normal) => f.debug_tuple("Flat").field(origin).field(normal).finish(),
+            Self::Shape(shape) => f.debug_tuple("Shape").field(shape).finish(),
+            Self::Share(_) => f.write_str("Share"),
         }
     }
 }
 
-enum AnyCentre<T, const N: usize> {
-    Point(SVector<T, N>),
-    Axis(Axis<T, N>),
+/// The centre of a bend: a point, a straight axis, or one at a distance from an isocurve.
+#[derive(Clone, Debug)]
+pub enum Centre {
+    /// A point.
+    Point(Coords),
+    /// A point of an axis and its direction.
+    Axis(Coords, Coords),
+    /// The offset of an isocurve, over floats.
+    Offset(AnyOffsetAxis),
 }
+
+/// The axis at a distance from an isocurve, over floats; see [`OffsetAxis`].
+#[derive(Clone, Debug)]
+pub enum AnyOffsetAxis {
+    /// Of a polynomial surface.
+    Surface(OffsetAxis<Surface<f64, 3>>),
+    /// Of a rational one.
+    Rational(OffsetAxis<NurbsSurface<f64, 3>>),
+}
+
+/// One text for both.
+macro_rules! axis {
+    ($axis:expr, $a:ident => $body:expr) => {
+        match $axis {
+            AnyOffsetAxis::Surface($a) => $body,
+            AnyOffsetAxis::Rational($a) => $body,
+        }
+    };
+}
+
+impl AnyOffsetAxis {
+    /// The axis of a surface in space over floats.
+    ///
+    /// # Errors
+    /// [`Error::NoSuch`] for other shapes, and those of [`OffsetAxis::new`].
+    pub fn new(surface: &Value, direction: Direction, at: f64, offset: f64) -> Result<Self> {
+        match surface {
+            Value::Surface(Any::F3(s)) => Ok(Self::Surface(OffsetAxis::new(s, direction, at, offset)?)),
+            Value::RationalSurface(Any::F3(s)) => {
+                Ok(Self::Rational(OffsetAxis::new(s, direction, at, offset)?))
+            }
+            other => Err(other.none_of("axis at a distance, in space over floats,")),
+        }
+    }
+
+    /// A point of the axis.
+    ///
+    /// # Errors
+    /// Those of [`OffsetAxis::point`].
+    pub fn point(&self, w: f64) -> Result<Coords> {
+        Ok(coords::<f64, _>(&axis!(self, a => a.point(w))?))
+    }
+
+    /// The point of the axis that is nearest to a point.
+    ///
+    /// # Errors
+    /// [`Error::Dimensions`], and those of [`BendCentre::centre_of`].
+    pub fn centre_of(&self, of: &Coords) -> Result<Coords> {
+        Ok(coords::<f64, _>(&axis!(self, a => a.centre_of(&point(of)?))?))
+    }
+}
+
+/// Something to bend about, whatever it is.
+struct BentAbout<'a, T, const N: usize>(Box<dyn Bendable<T, N> + 'a>);
+
+impl<T: Field, const N: usize> Bendable<T, N> for BentAbout<'_, T, N> {
+    fn share(&self, centre: &SVector<T, N>, point: &SVector<T, N>) -> symspline::Result<Option<T>> {
+        self.0.share(centre, point)
+    }
+}
+
+/// A centre, whatever it is.
+struct AnyCentre<T, const N: usize>(Box<dyn BendCentre<T, N>>);
 
 impl<T: Field, const N: usize> BendCentre<T, N> for AnyCentre<T, N> {
     fn centre_of(&self, point: &SVector<T, N>) -> symspline::Result<SVector<T, N>> {
-        match self {
-            Self::Point(centre) => centre.centre_of(point),
-            Self::Axis(axis) => axis.centre_of(point),
-        }
+        self.0.centre_of(point)
     }
 }
+
+/// Points that can be bent about some shapes, and towards some axes.
+trait Bent<T: Field, const N: usize> {
+    /// The shape as something to bend about.
+    fn about(shape: &Value) -> Result<Box<dyn Bendable<T, N>>> {
+        Err(shape.none_of("bend about"))
+    }
+
+    /// The axis as a centre.
+    fn offset(axis: &AnyOffsetAxis) -> Result<Box<dyn BendCentre<T, N>>> {
+        let _ = axis;
+        Err(Error::NoSuch {
+            operation: "bend towards the axis of a surface over floats",
+            left: format!("{} shapes of {N} dimensions", T::NAME),
+            right: String::new(),
+        })
+    }
+}
+
+macro_rules! about {
+    ($T:ty, $n:literal, $curve:ident $rational:ident, $variant:ident; $($offset:tt)*) => {
+        impl Bent<$T, $n> for SVector<$T, $n> {
+            fn about(shape: &Value) -> Result<Box<dyn Bendable<$T, $n>>> {
+                match shape {
+                    Value::$curve(Any::$variant(s)) => Ok(Box::new(s.clone())),
+                    Value::$rational(Any::$variant(s)) => Ok(Box::new(s.clone())),
+                    other => Err(other.none_of("bend about")),
+                }
+            }
+
+            $($offset)*
+        }
+    };
+}
+
+about!(f64, 2, Spline Rational, F2;);
+about!(Q, 2, Spline Rational, Q2;);
+about! { f64, 3, Surface RationalSurface, F3;
+fn offset(axis: &AnyOffsetAxis) -> Result<Box<dyn BendCentre<f64, 3>>> {
+    Ok(axis!(axis, a => Box::new(a.clone())))
+} }
+impl Bent<Q, 3> for SVector<Q, 3> {}
 
 /// The cross ratio of a bend; see [`CrossRatio`].
 #[derive(Clone, Debug, PartialEq)]
@@ -101,12 +204,12 @@ in_field!(f64, F1);
 in_field!(Q, Q1);
 
 /// How a shape is bent; see [`Bend`].
-#[derive(Clone, Debug, PartialEq)]
-pub struct AnyBend {
+#[derive(Debug)]
+pub struct AnyBend<'a> {
     /// Towards what.
     pub centre: Centre,
     /// About what.
-    pub about: About,
+    pub about: About<'a>,
     /// How far.
     pub ratio: Ratio,
     /// Along which direction of a surface.
@@ -122,26 +225,39 @@ pub struct AnyBend {
 /// A bent shape.
 ///
 /// # Errors
-/// [`Error::NoSuch`] for functions, and those of [`Bend::apply`].
-pub fn bent(shape: &Value, how: &AnyBend) -> Result<Value> {
-    fn of<T: InField, S, const N: usize>(shape: &S, how: &AnyBend) -> Result<Value>
+/// Those of a function given to bend about; [`Error::NoSuch`] for functions, and for what this kind of shape cannot be bent about;
+/// those of [`Bend::apply`].
+pub fn bent(shape: &Value, how: &AnyBend<'_>) -> Result<Value> {
+    fn of<T: InField, S, const N: usize>(shape: &S, how: &AnyBend<'_>) -> Result<Value>
     where
-        SVector<T, N>: crate::number::Flat<T>,
+        SVector<T, N>: crate::number::Flat<T> + Bent<T, N>,
         S: Shape<T> + Controlled<T, Point = SVector<T, N>>,
     {
-        let centre = match &how.centre.axis {
-            None => AnyCentre::Point(point(&how.centre.point)?),
-            Some(axis) => AnyCentre::Axis(Axis::new(point(&how.centre.point)?, point(axis)?)?),
+        let centre: Box<dyn BendCentre<T, N>> = match &how.centre {
+            Centre::Point(centre) => Box::new(point::<T, SVector<T, N>>(centre)?),
+            Centre::Axis(origin, axis) => Box::new(Axis::<T, N>::new(point(origin)?, point(axis)?)?),
+            Centre::Offset(axis) => SVector::<T, N>::offset(axis)?,
         };
-        let about = match &how.about {
-            About::Round(radius) => BentAbout::Round(Round(T::of(radius)?)),
+        let failed = RefCell::new(None);
+        let about: Box<dyn Bendable<T, N> + '_> = match &how.about {
+            About::Round(radius) => Box::new(Round(T::of(radius)?)),
             About::Sphere(centre, radius) => {
-                BentAbout::Sphere(Sphere { centre: point(centre)?, radius: T::of(radius)? })
+                Box::new(Sphere { centre: point::<T, SVector<T, N>>(centre)?, radius: T::of(radius)? })
             }
             About::Flat(origin, normal) => {
-                BentAbout::Flat(Flat { origin: point(origin)?, normal: point(normal)? })
+                Box::new(Flat { origin: point::<T, SVector<T, N>>(origin)?, normal: point(normal)? })
             }
+            About::Shape(shape) => SVector::<T, N>::about(shape)?,
+            About::Share(share) => Box::new(ByShare(|centre: &SVector<T, N>, point: &SVector<T, N>| {
+                let found = share(&coords::<T, _>(centre), &coords::<T, _>(point));
+                found.and_then(|s| s.map(|s| T::of(&s)).transpose()).map_err(|error| {
+                    // The library knows its own errors alone: this one waits outside.
+                    failed.replace(Some(error));
+                    symspline::Error::NoLength
+                })
+            })),
         };
+        let (centre, about) = (AnyCentre(centre), BentAbout(about));
         let mut bend = Bend::new(centre, about, T::ratio(&how.ratio)?).along(how.direction);
         if let Some((a, b)) = &how.interval {
             bend = bend.on(T::of(a)?, T::of(b)?);
@@ -152,7 +268,11 @@ pub fn bent(shape: &Value, how: &AnyBend) -> Result<Value> {
         if !how.tails {
             bend = bend.without_tails();
         }
-        Ok(bend.apply(shape)?.value())
+        let found = bend.apply(shape);
+        match failed.take() {
+            Some(error) => Err(error),
+            None => Ok(found?.value()),
+        }
     }
     shape!(in space shape, "bend", T, s => { let _: Option<T>; of(s, how) })
 }

@@ -1,6 +1,7 @@
 //! Constraints on points, derivatives and linear functionals of shapes.
 
 use crate::error::Result;
+use crate::family::AnySpline;
 use crate::number::{Field, Number};
 use crate::over::Coords;
 use crate::shape;
@@ -8,7 +9,7 @@ use crate::tools::edit::AnyDrag;
 use crate::tools::shape::{Named, Shape, all_named, all_points, place};
 use crate::value::Value;
 use std::fmt::Debug;
-use symspline::{Constrained, Constraints, Drag, Excess, Relief, SparseRow};
+use symspline::{Constrained, Constraints, Direction, Drag, Excess, Relief, SparseRow};
 
 /// A constrained value.
 #[derive(Clone, Debug, PartialEq)]
@@ -17,6 +18,10 @@ pub enum Asked {
     Derivative(Coords, Vec<usize>),
     /// A linear functional of the control points.
     Row(Vec<(usize, Number)>),
+    /// All control points of the isocurve of a surface where the parameter in a direction is a number.
+    Isocurve(Direction, Number),
+    /// So many points along a curve in the parameters of a surface.
+    Along(AnySpline, usize),
 }
 
 /// Constraints on a shape; see [`Constraints`].
@@ -46,6 +51,8 @@ impl Wishes {
                     let terms = row.iter().map(|(i, x)| Ok((*i, T::of(x)?))).collect::<Result<Vec<_>>>()?;
                     found.row(SparseRow::new(terms))?
                 }
+                Asked::Isocurve(direction, x) => S::with_isocurve(found, *direction, &T::of(x)?)?,
+                Asked::Along(path, count) => S::with_points_along(found, path, *count)?,
             };
         }
         found = found.holding(&all_named(&self.holding)?)?;

@@ -73,7 +73,7 @@ pub struct AnyEvent {
 pub type Stretch = (Number, Number, i8);
 
 /// The curvature of a curve along its parameter; see [`CurvatureProfile`].
-pub trait Profile: Debug + Send + Sync {
+pub trait Profile: Debug + Send + Sync + std::any::Any {
     /// All events.
     fn events(&self) -> Vec<AnyEvent>;
     /// Parameters, curvatures and slopes to draw.
@@ -89,6 +89,8 @@ pub trait Profile: Debug + Send + Sync {
     fn comb_scale(&self, length: f64) -> f64;
     /// The logarithmic curvature graph.
     fn log_log(&self) -> Vec<[f64; 2]>;
+    /// Where the events of two profiles first differ in kind, if they do.
+    fn differs_at(&self, other: &dyn Profile) -> Option<usize>;
 }
 
 fn middle<T: Field>(root: &RootValue<T>) -> Number {
@@ -130,6 +132,15 @@ impl<T: Field> Profile for CurvatureProfile<T> {
 
     fn log_log(&self) -> Vec<[f64; 2]> {
         Self::log_log(self)
+    }
+
+    fn differs_at(&self, other: &dyn Profile) -> Option<usize> {
+        let other: &dyn std::any::Any = other;
+        // A profile is over one field or the other.
+        match other.downcast_ref::<CurvatureProfile<f64>>() {
+            Some(other) => Self::differs_at(self, other),
+            None => Self::differs_at(self, other.downcast_ref::<CurvatureProfile<Q>>()?),
+        }
     }
 }
 

@@ -22,12 +22,20 @@ pub fn around(space: &AnySpace, x: &Number) -> Result<(usize, usize)> {
     both!(space, T, s => Ok((s.node_before(&T::of(x)?)?, s.nearest_node(&T::of(x)?)?)))
 }
 
+/// The parameter halfway between a node and the next.
+///
+/// # Errors
+/// Those of [`SplineSpace::between_nodes`](symspline::SplineSpace::between_nodes).
+pub fn between(space: &AnySpace, k: usize) -> Result<Number> {
+    both!(space, s => Ok(s.between_nodes(k)?.number()))
+}
+
 /// The knot that puts a parameter halfway between nodes, where it lies, and the first of the nodes; see
-/// [`Halfway`](symspline::Halfway).
+/// [`Halfway`](symspline::Halfway). With `copy` it may be another copy of a knot that is there.
 ///
 /// # Errors
 /// Those of [`SplineSpace::halfway_knot`](symspline::SplineSpace::halfway_knot).
-pub fn halfway(space: &AnySpace, x: &Number) -> Result<(Option<Number>, &'static str, usize)> {
+pub fn halfway(space: &AnySpace, x: &Number, copy: bool) -> Result<(Option<Number>, &'static str, usize)> {
     let name = |regime| match regime {
         Regime::There => "there",
         Regime::Central => "central",
@@ -35,7 +43,8 @@ pub fn halfway(space: &AnySpace, x: &Number) -> Result<(Option<Number>, &'static
         Regime::RightGap => "right_gap",
     };
     both!(space, T, s => {
-        let found = s.halfway_knot(&T::of(x)?)?;
+        let x = T::of(x)?;
+        let found = if copy { s.halfway_knot_or_copy(&x) } else { s.halfway_knot(&x) }?;
         Ok((found.knot.map(Field::number), name(found.regime), found.leg))
     })
 }

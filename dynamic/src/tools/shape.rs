@@ -2,12 +2,14 @@
 
 use crate::any::Any;
 use crate::error::{Error, Result};
+use crate::family::AnySpline;
 use crate::number::{Field, Flat, points};
 use crate::over::Coords;
 use crate::value::Value;
 use nalgebra::SVector;
 use symspline::{
-    Coeff, Controlled, Interval, Q, Rational, Rectangle, Restorable, Spline, TensorSpline, Workable,
+    Coeff, Constraints, Controlled, Direction, Interval, Q, Rational, Rectangle, Restorable, Scalar, Spline,
+    TensorSpline, Workable,
 };
 
 /// A place on a shape, from numbers: one of a curve, two of a surface.
@@ -92,9 +94,59 @@ pub trait Shape<T: Field>:
 
     /// As a value.
     fn value(self) -> Value;
+
+    /// Adds the constraints on a whole isocurve of a surface; see [`Constraints::isocurve`].
+    ///
+    /// # Errors
+    /// [`Error::NoSuch`] for what is no surface, and those of [`Constraints::isocurve`].
+    fn with_isocurve<'a>(
+        constraints: Constraints<'a, T, Self>,
+        direction: Direction,
+        x: &T,
+    ) -> Result<Constraints<'a, T, Self>> {
+        let _ = (constraints, direction, x);
+        Err(no_plane("isocurve"))
+    }
+
+    /// Adds constraints on points along a curve in the parameters of a surface; see [`Constraints::along`].
+    ///
+    /// # Errors
+    /// [`Error::NoSuch`] for what is no surface, or no curve in the plane, and those of [`Constraints::along`].
+    fn with_points_along<'a>(
+        constraints: Constraints<'a, T, Self>,
+        path: &AnySpline,
+        count: usize,
+    ) -> Result<Constraints<'a, T, Self>> {
+        let _ = (constraints, path, count);
+        Err(no_plane("curve in the parameters"))
+    }
+}
+
+fn no_plane(operation: &'static str) -> Error {
+    Error::NoSuch { operation, left: String::from("a shape of one parameter"), right: String::new() }
 }
 
 macro_rules! shapes {
+    (@plane Spline $T:ty) => {};
+    (@plane Rational $T:ty) => {};
+    (@plane $surface:ident $T:ty) => {
+        fn with_isocurve<'a>(
+            constraints: Constraints<'a, $T, Self>,
+            direction: Direction,
+            x: &$T,
+        ) -> Result<Constraints<'a, $T, Self>> {
+            Ok(constraints.isocurve(direction, x)?)
+        }
+
+        fn with_points_along<'a>(
+            constraints: Constraints<'a, $T, Self>,
+            path: &AnySpline,
+            count: usize,
+        ) -> Result<Constraints<'a, $T, Self>> {
+            let path = Value::from(if <$T as Scalar>::EXACT { path.to_exact()? } else { path.to_float()? });
+            Ok(constraints.along(Spline::<$T, P<$T, 2>>::inside(&path)?, count)?)
+        }
+    };
     ($kind:ident: $($variant:ident $T:ty, $of:ty;)+) => {
         $(impl Shape<$T> for $of {
             fn inside(value: &Value) -> Result<&Self> {
@@ -111,6 +163,8 @@ macro_rules! shapes {
             fn value(self) -> Value {
                 Value::$kind(Any::$variant(self))
             }
+
+            shapes!(@plane $kind $T);
         })+
     };
 }

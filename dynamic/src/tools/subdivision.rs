@@ -3,14 +3,15 @@
 use crate::both;
 use crate::error::{Error, Result};
 use crate::family::AnySpline;
-use crate::number::{Field, flat};
+use crate::number::{Field, Number, flat};
 use crate::over::{AnyMesh, Coords, Over};
 use crate::tools::shape::all_points;
 use nalgebra::SVector;
 use std::fmt::Debug;
+use std::ops::ControlFlow;
 use symspline::{
-    Boundary, CatmullClark, ControlMesh, ControlPolygon, CubicPolygon, Curve, DooSabin, MeshSprings, Q,
-    RelaxedMesh,
+    Boundary, CatmullClark, ControlMesh, ControlPolygon, CubicPolygon, Curve, DooSabin, MeshSprings,
+    Progress, Q, RelaxedMesh,
 };
 
 /// A mesh of points and faces.
@@ -91,6 +92,17 @@ impl AnyCatmullClark {
     /// [`Error::Fields`] for an exact surface, and those of [`CatmullClark::limit_normals`].
     pub fn limit_normals(&self) -> Result<Vec<Option<Coords>>> {
         Ok(each_point::<f64>(float(self)?.limit_normals()?))
+    }
+
+    /// The surface with all knot intervals at least so long; see [`CatmullClark::with_least_interval`].
+    ///
+    /// # Errors
+    /// Those of [`CatmullClark::with_least_interval`].
+    pub fn with_least_interval(&self, least: &Number) -> Result<Self> {
+        Ok(match self {
+            Over::Float(s) => Over::Float(s.with_least_interval(f64::of(least)?)?),
+            Over::Exact(s) => Over::Exact(s.with_least_interval(Q::of(least)?)?),
+        })
     }
 
     /// The mesh with its vertices moved to the surface.
@@ -188,6 +200,19 @@ impl AnyDooSabin {
     /// [`Error::Fields`] for an exact surface, and those of [`DooSabin::fine_tuned`].
     pub fn fine_tuned(&self, alpha: &[f64], springs: &MeshSprings) -> Result<RelaxedMesh> {
         Ok(float(self)?.fine_tuned(alpha, springs)?)
+    }
+
+    /// The same, watched; see [`DooSabin::fine_tuned_watched`].
+    ///
+    /// # Errors
+    /// As [`fine_tuned`](Self::fine_tuned).
+    pub fn fine_tuned_watched(
+        &self,
+        alpha: &[f64],
+        springs: &MeshSprings,
+        watch: impl FnMut(&Progress) -> ControlFlow<()>,
+    ) -> Result<RelaxedMesh> {
+        Ok(float(self)?.fine_tuned_watched(alpha, springs, watch)?)
     }
 }
 

@@ -1,6 +1,6 @@
-//! Weights moved: pulls toward one control point or two.
+//! Weights moved: pulls toward a control point.
 
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::number::{Field, Number};
 use crate::over::Coords;
 use crate::shape;
@@ -8,7 +8,7 @@ use crate::tools::shape::{Named, Shape, coords, place, point};
 use crate::value::Value;
 use std::fmt::Debug;
 use std::marker::PhantomData;
-use symspline::{Weighed, WeightPairPull, WeightPull, WeightRange};
+use symspline::{Coeff, Q, Weighed, WeightPull, WeightRange};
 
 /// A pull toward a control point by its weight; see [`WeightPull`].
 pub trait Puller: Debug + Send + Sync {
@@ -31,8 +31,33 @@ pub trait Puller: Debug + Send + Sync {
     /// The fraction at which the point is nearest to a target.
     ///
     /// # Errors
-    /// [`Error::Dimensions`](crate::Error::Dimensions).
+    /// [`Error::Dimensions`].
     fn fraction_near(&self, target: &Coords) -> Result<Number>;
+    /// The point after a move by a fraction of the way.
+    ///
+    /// # Errors
+    /// [`symspline::Error::NotFinite`].
+    fn point_at(&self, fraction: &Number) -> Result<Coords>;
+    /// The point when the weight becomes another.
+    ///
+    /// # Errors
+    /// Those of [`WeightPull::point_at_weight`].
+    fn point_at_weight(&self, weight: &Number) -> Result<Coords>;
+    /// The distance from the point to the control point, over floats.
+    ///
+    /// # Errors
+    /// [`Error::Fields`].
+    fn distance(&self) -> Result<Number>;
+    /// The fraction of the way that a distance is, over floats.
+    ///
+    /// # Errors
+    /// [`Error::Fields`].
+    fn fraction_of(&self, distance: &Number) -> Result<Number>;
+    /// The weight that moves the point by a distance, over floats.
+    ///
+    /// # Errors
+    /// [`Error::Fields`], and those of [`WeightPull::weight_for_distance`].
+    fn weight_for_distance(&self, distance: &Number) -> Result<Number>;
     /// The shape with its point moved.
     ///
     /// # Errors
@@ -40,14 +65,56 @@ pub trait Puller: Debug + Send + Sync {
     fn applied(&self, shape: &Value, fraction: &Number) -> Result<Value>;
 }
 
-/// A pull, and the shapes it is for.
-#[derive(Debug)]
-struct For<T, S, P> {
-    pull: P,
-    shapes: PhantomData<fn(&S, &T)>,
+/// Distances of pulls, where the field has square roots.
+trait Measured: Field {
+    /// See [`WeightPull::distance`].
+    fn distance<C: Coeff<Self>>(pull: &WeightPull<Self, C>) -> Result<Self>;
+    /// See [`WeightPull::fraction_of`].
+    fn fraction_of<C: Coeff<Self>>(pull: &WeightPull<Self, C>, distance: &Self) -> Result<Self>;
+    /// See [`WeightPull::weight_for_distance`].
+    fn weight_for_distance<C: Coeff<Self>>(pull: &WeightPull<Self, C>, distance: &Self) -> Result<Self>;
 }
 
-impl<T: Field, S: Shape<T> + Weighed<T>> Puller for For<T, S, WeightPull<T, S::Point>> {
+impl Measured for f64 {
+    fn distance<C: Coeff<Self>>(pull: &WeightPull<Self, C>) -> Result<Self> {
+        Ok(pull.distance())
+    }
+
+    fn fraction_of<C: Coeff<Self>>(pull: &WeightPull<Self, C>, distance: &Self) -> Result<Self> {
+        Ok(pull.fraction_of(distance))
+    }
+
+    fn weight_for_distance<C: Coeff<Self>>(pull: &WeightPull<Self, C>, distance: &Self) -> Result<Self> {
+        Ok(pull.weight_for_distance(distance)?)
+    }
+}
+
+pub(crate) fn no_roots<R>() -> Result<R> {
+    Err(Error::Fields { left: f64::NAME, right: Q::NAME })
+}
+
+impl Measured for Q {
+    fn distance<C: Coeff<Self>>(_: &WeightPull<Self, C>) -> Result<Self> {
+        no_roots()
+    }
+
+    fn fraction_of<C: Coeff<Self>>(_: &WeightPull<Self, C>, _: &Self) -> Result<Self> {
+        no_roots()
+    }
+
+    fn weight_for_distance<C: Coeff<Self>>(_: &WeightPull<Self, C>, _: &Self) -> Result<Self> {
+        no_roots()
+    }
+}
+
+/// A pull, and the shapes it is for.
+#[derive(Debug)]
+pub(crate) struct For<T, S, P> {
+    pub(crate) pull: P,
+    pub(crate) shapes: PhantomData<fn(&S, &T)>,
+}
+
+impl<T: Measured, S: Shape<T> + Weighed<T>> Puller for For<T, S, WeightPull<T, S::Point>> {
     fn weight_and_share(&self) -> (Number, Number) {
         (self.pull.weight().clone().number(), self.pull.share().number())
     }
@@ -72,123 +139,89 @@ impl<T: Field, S: Shape<T> + Weighed<T>> Puller for For<T, S, WeightPull<T, S::P
         Ok(self.pull.fraction_near(&point(target)?).number())
     }
 
+    fn point_at(&self, fraction: &Number) -> Result<Coords> {
+        Ok(coords::<T, _>(&self.pull.point_at(&T::of(fraction)?)))
+    }
+
+    fn point_at_weight(&self, weight: &Number) -> Result<Coords> {
+        Ok(coords::<T, _>(&self.pull.point_at_weight(&T::of(weight)?)?))
+    }
+
+    fn distance(&self) -> Result<Number> {
+        Ok(T::distance(&self.pull)?.number())
+    }
+
+    fn fraction_of(&self, distance: &Number) -> Result<Number> {
+        Ok(T::fraction_of(&self.pull, &T::of(distance)?)?.number())
+    }
+
+    fn weight_for_distance(&self, distance: &Number) -> Result<Number> {
+        Ok(T::weight_for_distance(&self.pull, &T::of(distance)?)?.number())
+    }
+
     fn applied(&self, shape: &Value, fraction: &Number) -> Result<Value> {
         Ok(self.pull.applied(S::inside(shape)?, &T::of(fraction)?)?.value())
     }
 }
 
-fn range<T: Field>((least, most): &(Number, Number)) -> Result<WeightRange<T>> {
+pub(crate) fn range<T: Field>((least, most): &(Number, Number)) -> Result<WeightRange<T>> {
     Ok(WeightRange::new(T::of(least)?, T::of(most)?)?)
+}
+
+fn pulled<T: Measured, S: Shape<T> + Weighed<T>>(
+    pull: WeightPull<T, S::Point>,
+    within: Option<&(Number, Number)>,
+) -> Result<Box<dyn Puller>> {
+    let pull = match within {
+        Some(ends) => pull.within(range(ends)?),
+        None => pull,
+    };
+    Ok(Box::new(For::<T, S, _> { pull, shapes: PhantomData }))
 }
 
 /// The pull of a point of a rational shape toward a control point; `within` are the least and the largest weight.
 ///
 /// # Errors
-/// [`Error::NoSuch`](crate::Error::NoSuch) for polynomial shapes, and those of [`WeightPull::new`].
+/// [`Error::NoSuch`] for polynomial shapes, and those of [`WeightPull::new`].
 pub fn pull(
     shape: &Value,
     at: &Coords,
     index: &[usize],
     within: Option<&(Number, Number)>,
 ) -> Result<Box<dyn Puller>> {
-    fn of<T: Field, S: Shape<T> + Weighed<T>>(
+    fn of<T: Measured, S: Shape<T> + Weighed<T>>(
         shape: &S,
         at: &Coords,
         index: &[usize],
         within: Option<&(Number, Number)>,
     ) -> Result<Box<dyn Puller>> {
-        let pull = WeightPull::new(shape, &place(at)?, Named::named(index)?)?;
-        let pull = match within {
-            Some(ends) => pull.within(range(ends)?),
-            None => pull,
-        };
-        Ok(Box::new(For::<T, S, _> { pull, shapes: PhantomData }))
+        pulled::<T, S>(WeightPull::new(shape, &place(at)?, Named::named(index)?)?, within)
     }
     shape!(rational shape, "pull by weights", T, s => of::<T, _>(s, at, index, within))
 }
 
-/// Moves by the weights of two control points; see [`WeightPairPull`].
-pub trait PairPuller: Debug + Send + Sync {
-    /// Weights and shares as they were.
-    fn weights_and_shares(&self) -> [[Number; 2]; 2];
-    /// The point, the base where both weights are zero, and the goal on the leg.
-    fn points(&self) -> [Coords; 3];
-    /// The barycentric coordinates of a target.
-    ///
-    /// # Errors
-    /// Those of [`WeightPairPull::coordinates`].
-    fn coordinates(&self, target: &Coords, tolerance: &Number) -> Result<[Number; 2]>;
-    /// The weights that move the point to a target.
-    ///
-    /// # Errors
-    /// Those of [`WeightPairPull::weights_for`].
-    fn weights_for(&self, target: &Coords, tolerance: &Number) -> Result<[Number; 2]>;
-    /// The shape with its point at a target.
-    ///
-    /// # Errors
-    /// Those of [`WeightPairPull::apply_to`].
-    fn moved_to(&self, shape: &Value, target: &Coords, tolerance: &Number) -> Result<Value>;
-    /// The shape with its point moved by a fraction of the way to the leg.
-    ///
-    /// # Errors
-    /// Those of [`WeightPairPull::apply_along`].
-    fn moved_along(&self, shape: &Value, fraction: &Number) -> Result<Value>;
-}
-
-impl<T: Field, S: Shape<T> + Weighed<T>> PairPuller for For<T, S, WeightPairPull<T, S::Point>> {
-    fn weights_and_shares(&self) -> [[Number; 2]; 2] {
-        [self.pull.weights(), self.pull.shares()].map(|pair| pair.clone().map(Field::number))
-    }
-
-    fn points(&self) -> [Coords; 3] {
-        [self.pull.point(), self.pull.base(), &self.pull.goal()].map(|p| coords::<T, _>(p))
-    }
-
-    fn coordinates(&self, target: &Coords, tolerance: &Number) -> Result<[Number; 2]> {
-        Ok(self.pull.coordinates(&point(target)?, &T::of(tolerance)?)?.map(Field::number))
-    }
-
-    fn weights_for(&self, target: &Coords, tolerance: &Number) -> Result<[Number; 2]> {
-        Ok(self.pull.weights_for(&point(target)?, &T::of(tolerance)?)?.map(Field::number))
-    }
-
-    fn moved_to(&self, shape: &Value, target: &Coords, tolerance: &Number) -> Result<Value> {
-        let mut shape = S::inside(shape)?.clone();
-        self.pull.apply_to(&mut shape, &point(target)?, &T::of(tolerance)?)?;
-        Ok(shape.value())
-    }
-
-    fn moved_along(&self, shape: &Value, fraction: &Number) -> Result<Value> {
-        let mut shape = S::inside(shape)?.clone();
-        self.pull.apply_along(&mut shape, &T::of(fraction)?)?;
-        Ok(shape.value())
-    }
-}
-
-/// The moves of a point of a rational shape by the weights of two control points.
+/// The pull toward a control point whose weight is zero, which becomes `control`; see [`WeightPull::from_zero`].
 ///
 /// # Errors
 /// As [`pull`].
-pub fn pair_pull(
+pub fn pull_from_zero(
     shape: &Value,
     at: &Coords,
-    picks: [&[usize]; 2],
+    index: &[usize],
+    control: &Coords,
     within: Option<&(Number, Number)>,
-) -> Result<Box<dyn PairPuller>> {
-    fn of<T: Field, S: Shape<T> + Weighed<T>>(
+) -> Result<Box<dyn Puller>> {
+    fn of<T: Measured, S: Shape<T> + Weighed<T>>(
         shape: &S,
         at: &Coords,
-        [r, s]: [&[usize]; 2],
+        index: &[usize],
+        control: &Coords,
         within: Option<&(Number, Number)>,
-    ) -> Result<Box<dyn PairPuller>> {
-        let pull = WeightPairPull::new(shape, &place(at)?, [Named::named(r)?, Named::named(s)?])?;
-        let pull = match within {
-            Some(ends) => pull.within(range(ends)?),
-            None => pull,
-        };
-        Ok(Box::new(For::<T, S, _> { pull, shapes: PhantomData }))
+    ) -> Result<Box<dyn Puller>> {
+        let pull = WeightPull::from_zero(shape, &place(at)?, Named::named(index)?, point(control)?)?;
+        pulled::<T, S>(pull, within)
     }
-    shape!(rational shape, "pull by weights", T, s => of::<T, _>(s, at, picks, within))
+    shape!(rational shape, "pull by weights", T, s => of::<T, _>(s, at, index, control, within))
 }
 
 /// The derivatives of a point by a weight, of order zero first; see [`Weighed::weight_derivatives`].

@@ -42,6 +42,15 @@ record! {
     }
 }
 
+#[pymethods]
+impl Zero {
+    /// Whether the signs before and after are known and differ.
+    #[getter]
+    fn changes_sign(&self) -> bool {
+        matches!((self.before, self.after), (Some(before), Some(after)) if before != after)
+    }
+}
+
 /// Zeros on their way out.
 pub fn zeros_out(zeros: Vec<AnyZero>) -> Vec<Zero> {
     let one = |zero: AnyZero| {
@@ -173,6 +182,11 @@ impl CurvatureProfile {
     /// The scale of a comb nine of ten of whose teeth are no longer than `length`.
     fn comb_scale(&self, length: f64) -> f64 {
         self.0.comb_scale(length)
+    }
+
+    /// Where the events of this and another profile first differ in kind, as an index of either; none if they are the same.
+    fn differs_at(&self, other: &Self) -> Option<usize> {
+        self.0.differs_at(&*other.0)
     }
 
     /// The logarithmic curvature graph, of shape `(n, 2)`.

@@ -1,22 +1,20 @@
-//! Warps, flat parts and bends.
+//! Warps and flat parts.
 
-use crate::arguments::{Along, word};
+use crate::arguments::word;
 use crate::error::{Failure, Result};
 use crate::numbers::{Array, Num, Point};
 use crate::record::record;
 use crate::value::Thing;
 use pyo3::prelude::*;
 use std::cell::RefCell;
-use symspline::{Bump, Direction, Side, bent_point};
-use symspline_dynamic::tools::bend::{self, About, AnyBend, Centre, Ratio};
+use symspline::{Bump, Direction, Side};
 use symspline_dynamic::tools::flat::{self, AnyFlatten, AnyOnto, AnyPart};
-use symspline_dynamic::tools::shape::point;
 use symspline_dynamic::tools::warp::{self, AnyRegion, Assignment, Refine};
 use symspline_dynamic::{Coords, Field, Meeting as _, Number, Over, Value};
 
 /// Knots to insert: an `int` says how many, any other number how long spans may be.
 #[derive(Debug)]
-struct Finer(Refine);
+pub struct Finer(pub Refine);
 
 impl<'py> FromPyObject<'_, 'py> for Finer {
     type Error = PyErr;
@@ -29,7 +27,8 @@ impl<'py> FromPyObject<'_, 'py> for Finer {
     }
 }
 
-fn is_exact(refine: &Option<Refine>) -> bool {
+/// Whether it is no float.
+pub fn is_exact(refine: &Option<Refine>) -> bool {
     !matches!(refine, Some(Refine::Spacing(Over::Float(_))))
 }
 
@@ -277,108 +276,11 @@ fn flattened(
     })
 }
 
-/// The shape bent towards a centre, a point or with `axis` the line through it, about something.
-///
-/// About a circle, sphere or cylinder of `radius` around the centre, or around `about`; or with `normal` about the line or plane
-/// through `about`. `ratio` is the cross ratio, a number or a function of the parameters: 1 leaves shapes as they are at it, larger
-/// ones bend more. Between the knots of `interval` alone, what is outside being carried along unless `tails` is false; `refine`
-/// inserts knots first. Over fractions, where square roots may not be there, an error says so.
-#[pyfunction]
-#[pyo3(signature = (shape, centre, ratio, *, radius=None, about=None, normal=None, axis=None, direction=Along(Direction::U), interval=None, refine=None,
-    tails=true))]
-#[allow(clippy::too_many_arguments, reason = "Python names them")]
-fn bent(
-    py: Python<'_>,
-    shape: Thing,
-    centre: Point,
-    ratio: Thing,
-    radius: Option<Num>,
-    about: Option<Point>,
-    normal: Option<Point>,
-    axis: Option<Point>,
-    direction: Along,
-    interval: Option<(Num, Num)>,
-    refine: Option<Finer>,
-    tails: bool,
-) -> Result<Thing> {
-    let refine = refine.map(|r| r.0);
-    let mut exact = centre.0.is_exact() && ratio.0.is_exact() && is_exact(&refine) && shape.0.is_exact();
-    for vector in [&about, &normal, &axis].into_iter().flatten() {
-        exact &= vector.0.is_exact();
-    }
-    exact &= radius.as_ref().is_none_or(|r| r.0.is_exact());
-    exact &= interval.as_ref().is_none_or(|(a, b)| a.0.is_exact() && b.0.is_exact());
-    let ratio = match ratio.0.among(exact)?.into_owned() {
-        Value::Number(x) => Ratio::Constant(x),
-        Value::Spline(f) => Ratio::Along(f),
-        Value::Surface(f) => Ratio::Over(f),
-        other => return Err(Failure::new("NoSuch", format!("{other} is no cross ratio"))),
-    };
-    let about = match (radius, about, normal) {
-        (Some(r), None, None) => About::Round(r.0),
-        (Some(r), Some(c), None) => About::Sphere(c.0, r.0),
-        (None, Some(p), Some(n)) => About::Flat(p.0, n.0),
-        _ => {
-            return Err(Failure::new(
-                "Word",
-                "a bend is about a radius, about a centre with a radius, or about a point with a normal",
-            ));
-        }
-    };
-    let how = AnyBend {
-        centre: Centre { point: centre.0, axis: axis.map(|v| v.0) },
-        about,
-        ratio,
-        direction: direction.0,
-        interval: interval.map(|(a, b)| (a.0, b.0)),
-        refine,
-        tails,
-    };
-    let shape = shape.0.among(exact)?;
-    Ok(py.detach(|| bend::bent(&shape, &how))?.into())
-}
-
-/// The bent point of `p`: from the centre `o`, the share `s` of the way at which the bend curve is, and the cross ratio; none at a
-/// pole.
-#[pyfunction]
-#[pyo3(name = "bent_point")]
-fn bent_point_of(o: Point, p: Point, s: Num, ratio: Num) -> Result<Option<Point>> {
-    fn of<T: Field, const N: usize>(
-        o: &Coords,
-        p: &Coords,
-        s: &Number,
-        ratio: &Number,
-    ) -> Result<Option<Point>> {
-        let vector = |c: &Coords| point::<T, nalgebra::SVector<T, N>>(c);
-        let bent = bent_point(&vector(o)?, &vector(p)?, &T::of(s)?, &T::of(ratio)?);
-        Ok(bent.map(|p| Point(T::coords(p.iter().cloned().collect()))))
-    }
-    let exact = o.0.is_exact() && p.0.is_exact() && s.0.is_exact() && ratio.0.is_exact();
-    match (o.0.len(), exact) {
-        (2, true) => of::<symspline::Q, 2>(&o.0, &p.0, &s.0, &ratio.0),
-        (2, false) => of::<f64, 2>(&o.0, &p.0, &s.0, &ratio.0),
-        (3, true) => of::<symspline::Q, 3>(&o.0, &p.0, &s.0, &ratio.0),
-        (3, false) => of::<f64, 3>(&o.0, &p.0, &s.0, &ratio.0),
-        (n, _) => Err(symspline_dynamic::Error::Dimension { found: n, least: 2 }.into()),
-    }
-}
-
-/// Points, of shape `(n, d)`, carried along by a rotation and a move: the direction from `before` to `pivot` becomes that from `after` to
-/// `place`, and the pivot goes to the place.
-#[pyfunction]
-fn carried(points: Array, before: Point, pivot: Point, after: Point, place: Point) -> Result<Array> {
-    let found = bend::carried(&points.numbers, [&before.0, &pivot.0, &after.0, &place.0])?;
-    Ok(Array::new(points.shape, found))
-}
-
 /// Adds the functions and classes to the module.
 pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<Reshaped>()?;
     module.add_class::<Flattened>()?;
     module.add_function(wrap_pyfunction!(warped, module)?)?;
     module.add_function(wrap_pyfunction!(bump, module)?)?;
-    module.add_function(wrap_pyfunction!(carried, module)?)?;
-    module.add_function(wrap_pyfunction!(flattened, module)?)?;
-    module.add_function(wrap_pyfunction!(bent, module)?)?;
-    module.add_function(wrap_pyfunction!(bent_point_of, module)?)
+    module.add_function(wrap_pyfunction!(flattened, module)?)
 }

@@ -64,7 +64,8 @@ fn split(all: Vec<f64>, count: usize, d: usize) -> (Array, Array) {
     (out(vec![count, d], points), out(vec![count, d, d], axes))
 }
 
-/// The Frenet frames of a curve at parameters: points of shape `(n, d)` and axes of shape `(n, d, d)`, the tangent first.
+/// The Frenet frames of a curve at parameters: points of shape `(n, d)` and axes of shape `(n, d, d)`, in each the tangent, the normal, and
+/// in space the binormal.
 #[pyfunction]
 fn frames(py: Python<'_>, curve: Thing, parameters: Array) -> Result<(Array, Array)> {
     let (curve, (_, at)) = (curve.0.to_float()?, floats(parameters)?);

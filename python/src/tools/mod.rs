@@ -3,11 +3,16 @@
 // From the ground up: a module uses only what stands above it.
 mod values;
 mod words;
+mod watch;
 mod tune;
 mod tuner;
+mod nodes;
 mod shape;
+mod coupled;
 mod weights;
+mod gravity;
 mod form;
+mod bend;
 mod load;
 mod breadth;
 mod material;
@@ -27,9 +32,13 @@ use pyo3::prelude::*;
 pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     tune::register(module)?;
     tuner::register(module)?;
+    nodes::register(module)?;
     shape::register(module)?;
+    coupled::register(module)?;
     weights::register(module)?;
+    gravity::register(module)?;
     form::register(module)?;
+    bend::register(module)?;
     load::register(module)?;
     material::register(module)?;
     deform::register(module)?;

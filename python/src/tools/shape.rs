@@ -3,7 +3,7 @@
 use crate::arguments::{Along, word};
 use crate::error::{Failure, Result};
 use crate::numbers::{Array, Num, Point};
-use crate::space::Space;
+use crate::spline::Spline;
 use crate::tools::values::Name;
 use crate::value::Thing;
 use pyo3::prelude::*;
@@ -12,7 +12,6 @@ use symspline::{Direction, Relief};
 use symspline_dynamic::tools::constraints::{self, Asked, Prepared, Rows, Wishes};
 use symspline_dynamic::tools::edit::{self, AnyDrag, Grip};
 use symspline_dynamic::tools::handle::{self, AnyHandle};
-use symspline_dynamic::tools::nodes;
 use symspline_dynamic::{Coords, Field, Meeting as _, Number, both};
 
 /// A linear edit of control points, prepared: how they move when a point is dragged.
@@ -118,34 +117,6 @@ fn leg_point(
     Ok((Num(knot), finer.into(), place))
 }
 
-/// The knot whose insertion makes `x` a node of the space; none if it is one.
-#[pyfunction]
-fn node_placing_knot(space: Space, x: Num) -> Result<Option<Num>> {
-    Ok(nodes::placing_knot(&*space.0.among(x.0.is_exact())?, &x.0)?.map(Num))
-}
-
-/// The last coefficient whose node is at or before `x`, and the one whose node is nearest.
-#[pyfunction]
-fn nodes_around(space: Space, x: Num) -> Result<(usize, usize)> {
-    Ok(nodes::around(&*space.0.among(x.0.is_exact())?, &x.0)?)
-}
-
-/// The knot that puts `x` halfway between two nodes (none if it is there), where that lies ("there", "central", "left_gap",
-/// "right_gap"), and the first of the two nodes.
-#[pyfunction]
-fn halfway_knot(space: Space, x: Num) -> Result<(Option<Num>, &'static str, usize)> {
-    let (knot, regime, leg) = nodes::halfway(&*space.0.among(x.0.is_exact())?, &x.0)?;
-    Ok((knot.map(Num), regime, leg))
-}
-
-/// Ranges of indices: coefficients without influence outside the interval; knots there that can be removed if the sweep from the
-/// left is kept, and if the one from the right is.
-#[pyfunction]
-fn local_ranges(space: Space, start: Num, end: Num) -> Result<Vec<(usize, usize)>> {
-    let space = space.0.among(start.0.is_exact() && end.0.is_exact())?;
-    Ok(nodes::local(&space, &start.0, &end.0)?.map(|range| (range.start, range.end)).to_vec())
-}
-
 /// Constraints as they come from Python, and whether all their numbers are exact.
 #[derive(FromPyObject)]
 pub enum Wish {
@@ -153,6 +124,25 @@ pub enum Wish {
     Derivative(Point, Name),
     /// A linear functional: control points and their weights.
     Row(HashMap<usize, Num>),
+    /// An isocurve of a surface: the word, the direction, the parameter.
+    Isocurve(Said<0>, Along, Num),
+    /// Points along a curve in the parameters of a surface: the word, the curve, how many.
+    Along(Said<1>, Spline, usize),
+}
+
+/// One of the words of constraints.
+const WORDS: [&str; 2] = ["isocurve", "along"];
+
+/// The word with this place in the list.
+pub struct Said<const K: usize>;
+
+impl<'py, const K: usize> FromPyObject<'_, 'py> for Said<K> {
+    type Error = PyErr;
+
+    fn extract(object: Borrowed<'_, 'py, PyAny>) -> PyResult<Self> {
+        word("constraint", &object.extract::<String>()?, &[(WORDS[K], ())])?;
+        Ok(Self)
+    }
 }
 
 /// Constraints with further wishes.
@@ -174,6 +164,14 @@ pub fn wishes(
             let mut row: Vec<(usize, Number)> = row.into_iter().map(|(i, x)| (i, x.0)).collect();
             row.sort_by_key(|(i, _)| *i);
             Asked::Row(row)
+        }
+        Wish::Isocurve(_, direction, x) => {
+            exact &= x.0.is_exact();
+            Asked::Isocurve(direction.0, x.0)
+        }
+        Wish::Along(_, path, count) => {
+            exact &= path.0.is_exact();
+            Asked::Along(path.0, count)
         }
     });
     let asked = asked.collect();
@@ -203,7 +201,8 @@ pub fn matrix(rows: &Rows, count: usize, exact: bool) -> Result<Array> {
 /// Constraints on a shape with their matrix, prepared once and then dragged: control points move as little as possible.
 ///
 /// Each constraint is a pair of a place and an order of derivatives (0 the point; of surfaces both are pairs), or a dict from places
-/// in the list of control points to weights: a linear functional. `holding` are control points that stay, `freeing` the only ones
+/// in the list of control points to weights: a linear functional. Of surfaces it may be `("isocurve", direction, x)`, as many constraints
+/// as that isocurve has control points, or `("along", path, count)`, points along a curve in the parameter plane. `holding` are control points that stay, `freeing` the only ones
 /// that may move, `weights` pairs of a control point and how much its movement counts, `nearly` meets what cannot be met together by
 /// least squares. With `relief`, "knots" or "degree", the shape first gets more freedom where it needs it: see `shape`.
 #[pyclass(frozen, module = "symspline.shape")]
@@ -341,10 +340,6 @@ pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<CurvatureHandle>()?;
     module.add_function(wrap_pyfunction!(confined, module)?)?;
     module.add_function(wrap_pyfunction!(leg_point, module)?)?;
-    module.add_function(wrap_pyfunction!(node_placing_knot, module)?)?;
-    module.add_function(wrap_pyfunction!(nodes_around, module)?)?;
-    module.add_function(wrap_pyfunction!(halfway_knot, module)?)?;
-    module.add_function(wrap_pyfunction!(local_ranges, module)?)?;
     module.add_function(wrap_pyfunction!(with_tangent, module)?)?;
     module.add_function(wrap_pyfunction!(control_points, module)?)?;
     module.add_function(wrap_pyfunction!(derivative_at, module)?)

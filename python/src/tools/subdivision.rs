@@ -3,12 +3,14 @@
 use crate::arguments::word;
 use crate::error::{Failure, Result};
 use crate::mesh::Mesh;
-use crate::numbers::{Array, Point};
+use crate::numbers::{Array, Num, Point};
 use crate::record::record;
 use crate::spline::Spline;
+use crate::tools::watch::Called;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use symspline::{Boundary, Descend, MeshSprings};
+use std::ops::ControlFlow;
+use symspline::{Boundary, Descend, MeshSprings, Progress};
 use symspline_dynamic::tools::subdivision::{self, AnyCatmullClark, AnyDooSabin, Polygon as Polygons};
 use symspline_dynamic::{Coords, Meeting as _, Over, both};
 
@@ -96,6 +98,12 @@ surface!(DooSabin, AnyDooSabin, 2);
 
 #[pymethods]
 impl CatmullClark {
+    /// The surface with all knot intervals at least as long as `least`, to look at: intervals of 0, as converted surfaces have, hide
+    /// faces. One with equal intervals stays as it is.
+    fn with_least_interval(&self, least: Num) -> Result<Self> {
+        Ok(Self(self.0.with_least_interval(&least.0)?))
+    }
+
     /// The points of the surface at the vertices, none at an open boundary.
     fn limit_points(&self, py: Python<'_>) -> Result<Vec<Option<Point>>> {
         Ok(each(py.detach(|| self.0.limit_points())?))
@@ -149,12 +157,14 @@ impl DooSabin {
 
     /// The surface with the steps along each edge multiplied by a value, as nearly as it holds together: springs come to rest.
     /// Keywords are `stretch`, `bend`, `shape`, `uniform`, `fixed`, `fixed_corners`, `moving`, `descend` ("conjugate_gradients",
-    /// "gauss_newton"), `iterations`, `tolerance`. Exact meshes are rounded to floats.
-    #[pyo3(signature = (alpha, **springs))]
+    /// "gauss_newton"), `iterations`, `tolerance`. Exact meshes are rounded to floats. Before each step `watch(iteration, energy, gradient)`
+    /// is called, if it is given: a true result stops the springs there, and an exception comes out as it is.
+    #[pyo3(signature = (alpha, *, watch=None, **springs))]
     fn fine_tuned(
         &self,
         py: Python<'_>,
         alpha: Array,
+        watch: Option<Py<PyAny>>,
         springs: Option<&Bound<'_, PyDict>>,
     ) -> PyResult<RelaxedMesh> {
         let mut how = MeshSprings::default();
@@ -191,7 +201,17 @@ impl DooSabin {
         let Over::Float(alpha) = alpha.numbers.to_float().map_err(Failure::from)? else {
             return Err(Failure::new("Fields", "values of edges are floats").into());
         };
-        let found = py.detach(|| surface.fine_tuned(&alpha, &how)).map_err(Failure::from)?;
+        let called = Called::default();
+        let told = |progress: &Progress| {
+            let Some(watch) = &watch else { return ControlFlow::Continue(()) };
+            let stops = called.call(|py| {
+                watch.call1(py, (progress.iteration, progress.energy, progress.gradient))?.is_truthy(py)
+            });
+            // An exception stops it, too.
+            if stops.unwrap_or(true) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        };
+        let found = py.detach(|| surface.fine_tuned_watched(&alpha, &how, told));
+        let found = called.out(found.map_err(Failure::from))?;
         Ok(RelaxedMesh {
             surface: CatmullClark(Over::Float(found.surface)),
             invariant: CatmullClark(Over::Float(found.invariant)),

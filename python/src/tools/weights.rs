@@ -6,7 +6,8 @@ use crate::tools::shape::alike;
 use crate::tools::values::Name;
 use crate::value::Thing;
 use pyo3::prelude::*;
-use symspline_dynamic::tools::weights::{self, PairPuller, Puller};
+use symspline_dynamic::tools::weight_pairs::{self, PairPuller};
+use symspline_dynamic::tools::weights::{self, Puller};
 use symspline_dynamic::{Meeting as _, Number};
 
 /// Ends of a range of weights.
@@ -31,6 +32,16 @@ impl WeightPull {
         let (within, exact) = ends(within);
         let shape = shape.0.among(exact && at.0.is_exact())?;
         Ok(Self(weights::pull(&shape, &at.0, &index.0, within.as_ref())?, shape.is_exact()))
+    }
+
+    /// The pull toward a control point that the shape does not have yet, because its weight is zero: `point` becomes it.
+    #[staticmethod]
+    #[pyo3(signature = (shape, at, index, point, *, within=None))]
+    fn from_zero(shape: Thing, at: Point, index: Name, point: Point, within: Ends) -> Result<Self> {
+        let (within, exact) = ends(within);
+        let shape = shape.0.among(exact && at.0.is_exact() && point.0.is_exact())?;
+        let found = weights::pull_from_zero(&shape, &at.0, &index.0, &point.0, within.as_ref())?;
+        Ok(Self(found, shape.is_exact()))
     }
 
     /// The weight as it was.
@@ -79,6 +90,32 @@ impl WeightPull {
         Ok(Num(self.0.fraction_near(&target.0)?))
     }
 
+    /// The point after a move by a fraction of the way.
+    fn point_at(&self, fraction: Num) -> Result<Point> {
+        Ok(Point(self.0.point_at(&fraction.0)?))
+    }
+
+    /// The point when the weight becomes another, which may be zero.
+    fn point_at_weight(&self, weight: Num) -> Result<Point> {
+        Ok(Point(self.0.point_at_weight(&weight.0)?))
+    }
+
+    /// The distance from the point to the control point, over floats.
+    #[getter]
+    fn distance(&self) -> Result<Num> {
+        Ok(Num(self.0.distance()?))
+    }
+
+    /// The fraction of the way that a distance is, over floats: pulls are positive, pushes negative.
+    fn fraction_of(&self, distance: Num) -> Result<Num> {
+        Ok(Num(self.0.fraction_of(&distance.0)?))
+    }
+
+    /// The weight that moves the point by a distance toward the control point, over floats.
+    fn weight_for_distance(&self, distance: Num) -> Result<Num> {
+        Ok(Num(self.0.weight_for_distance(&distance.0)?))
+    }
+
     /// The shape with its point a fraction of the way from where it was.
     fn applied(&self, shape: Thing, fraction: Num) -> Result<Thing> {
         Ok(self.0.applied(&alike(shape.0, self.1)?, &fraction.0)?.into())
@@ -97,8 +134,18 @@ impl WeightPairPull {
     fn new(shape: Thing, at: Point, first: Name, second: Name, within: Ends) -> Result<Self> {
         let (within, exact) = ends(within);
         let shape = shape.0.among(exact && at.0.is_exact())?;
-        let found = weights::pair_pull(&shape, &at.0, [&first.0, &second.0], within.as_ref())?;
+        let found = weight_pairs::pull(&shape, &at.0, [&first.0, &second.0], within.as_ref())?;
         Ok(Self(found, shape.is_exact()))
+    }
+
+    /// The moves by the weights at the ends of leg `k` of the control polygon of a curve, from control point `k` to the next; in a ring
+    /// `k` is an unrolled index.
+    #[staticmethod]
+    #[pyo3(signature = (curve, x, k, *, within=None))]
+    fn on_leg(curve: Thing, x: Num, k: usize, within: Ends) -> Result<Self> {
+        let (within, exact) = ends(within);
+        let curve = curve.0.among(exact && x.0.is_exact())?;
+        Ok(Self(weight_pairs::pull_on_leg(&curve, &x.0, k, within.as_ref())?, curve.is_exact()))
     }
 
     /// The weights as they were.
@@ -120,6 +167,44 @@ impl WeightPairPull {
     fn base(&self) -> Point {
         let [_, base, _] = self.0.points();
         Point(base)
+    }
+
+    /// The point as it was.
+    #[getter]
+    fn point(&self) -> Point {
+        let [point, ..] = self.0.points();
+        Point(point)
+    }
+
+    /// The point of the leg where the line from the base through the point ends.
+    #[getter]
+    fn goal(&self) -> Point {
+        let [.., goal] = self.0.points();
+        Point(goal)
+    }
+
+    /// The least and the largest fraction of the way to the leg.
+    #[getter]
+    fn limits(&self) -> (Num, Num) {
+        let (push, pull) = self.0.limits();
+        (Num(push), Num(pull))
+    }
+
+    /// The weights that move the point a fraction of the way to the leg, along the line from the base; their ratio stays.
+    fn weights_along(&self, fraction: Num) -> Result<(Num, Num)> {
+        let [a, b] = self.0.weights_along(&fraction.0)?;
+        Ok((Num(a), Num(b)))
+    }
+
+    /// The distance from the point to the leg along the line from the base, over floats.
+    #[getter]
+    fn distance(&self) -> Result<Num> {
+        Ok(Num(self.0.distance()?))
+    }
+
+    /// The fraction of the way to the leg that a distance is, over floats: pulls are positive, pushes negative.
+    fn fraction_of(&self, distance: Num) -> Result<Num> {
+        Ok(Num(self.0.fraction_of(&distance.0)?))
     }
 
     /// The barycentric coordinates of a target at the two control points.
