@@ -56,7 +56,15 @@ macro_rules! of_one_parameter {
             /// # Errors
             /// Those of the library: a jump has none.
             pub fn derivative(&self) -> Result<Self> {
-                each!(self, s => Ok(s.derivative()?.into()))
+                self.nth_derivative(1)
+            }
+
+            /// The derivative of an order.
+            ///
+            /// # Errors
+            /// As [`derivative`](Self::derivative); [`symspline::Error::DegreeTooHigh`].
+            pub fn nth_derivative(&self, order: usize) -> Result<Self> {
+                each!(self, s => Ok(s.nth_derivative(order)?.into()))
             }
 
             /// The same with a higher degree.
@@ -242,7 +250,19 @@ macro_rules! of_two_parameters {
             /// # Errors
             /// Those of the library: a jump has none.
             pub fn derivative(&self, direction: Direction) -> Result<Self> {
-                each!(self, s => Ok(s.derivative(direction)?.into()))
+                self.nth_derivative(direction, 1)
+            }
+
+            /// The derivative of an order in one direction.
+            ///
+            /// # Errors
+            /// As [`derivative`](Self::derivative); [`symspline::Error::DegreeTooHigh`].
+            pub fn nth_derivative(&self, direction: Direction, order: usize) -> Result<Self> {
+                let (k, l) = match direction {
+                    Direction::U => (order, 0),
+                    Direction::V => (0, order),
+                };
+                each!(self, s => Ok(s.partial(k, l)?.into()))
             }
 
             /// The same with a higher degree.

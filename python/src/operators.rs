@@ -9,24 +9,7 @@ use crate::space::Space;
 use crate::spline::Spline;
 use crate::surface::Surface;
 use pyo3::prelude::*;
-use symspline_dynamic::{Any, Family, Spaced, each, together};
-
-/// One derivative after the other, until nothing changes any more: of zero.
-fn derived<F: Family>(
-    s: &Any<F>,
-    order: usize,
-    derivative: impl Fn(&Any<F>) -> symspline_dynamic::Result<Any<F>>,
-) -> Result<Any<F>> {
-    let mut s = s.clone();
-    for _ in 0..order {
-        let next = derivative(&s)?;
-        if next == s {
-            break;
-        }
-        s = next;
-    }
-    Ok(s)
-}
+use symspline_dynamic::{Spaced, each, together};
 
 macro_rules! of_one_parameter {
     ($class:ident) => {
@@ -35,7 +18,7 @@ macro_rules! of_one_parameter {
             /// The derivative of an order.
             #[pyo3(signature = (order=1))]
             fn derivative(&self, py: Python<'_>, order: usize) -> Result<Self> {
-                py.detach(|| Ok(Self(derived(&self.0, order, |s| s.derivative())?)))
+                py.detach(|| Ok(Self(self.0.nth_derivative(order)?)))
             }
 
             /// The same with a higher degree.
@@ -112,7 +95,7 @@ macro_rules! of_two_parameters {
             /// The derivative of an order in one direction.
             #[pyo3(signature = (direction, order=1))]
             fn derivative(&self, py: Python<'_>, direction: Along, order: usize) -> Result<Self> {
-                py.detach(|| Ok(Self(derived(&self.0, order, |s| s.derivative(direction.0))?)))
+                py.detach(|| Ok(Self(self.0.nth_derivative(direction.0, order)?)))
             }
 
             /// The same with a higher degree in one direction.

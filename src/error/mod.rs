@@ -342,8 +342,7 @@ pub enum Error {
     /// All points coincide, so that nothing has a length.
     #[error("all points coincide, the polygon has no length")]
     NoLength,
-    /// Held ends cannot be reached by a similarity, because one of the chords has no length; see
-    /// [`Curve::fine_tuned_closed`](crate::Spline::fine_tuned_closed) and [`Condition::End`](crate::Condition::End).
+    /// No similarity reaches held ends: a chord has no length. See [`Condition::End`](crate::Condition::End).
     #[error(
         "the points to be held coincide at both ends, before or after scaling: no rotation and scaling holds them; closed curves stay closed by springs, or exactly by a nearest scale that holds the end"
     )]

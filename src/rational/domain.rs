@@ -9,6 +9,7 @@ use crate::row::Row;
 use crate::scalar::Scalar;
 use crate::space::SplineSpace;
 use crate::spline::Spline;
+use crate::tensor::along::Direction;
 use crate::tensor::spline::TensorSpline;
 use crate::weighted::Weighted;
 use std::fmt::Debug;
@@ -62,6 +63,12 @@ pub trait Domain<T: Scalar>: Clone + Debug + PartialEq + sealed::Sealed {
         right: &Self::Spline<B>,
         pair: impl Fn(&A, &B) -> C,
     ) -> Result<Self::Spline<C>>;
+
+    /// The derivative along the first direction, or the second.
+    ///
+    /// # Errors
+    /// As [`Spline::derivative`].
+    fn derivative<C: Coeff<T>>(spline: &Self::Spline<C>, direction: usize) -> Result<Self::Spline<C>>;
 
     /// The parameters.
     type Parameter: Debug;
@@ -159,6 +166,10 @@ impl<T: Scalar> Domain<T> for Interval {
         left.paired_by(right, pair)
     }
 
+    fn derivative<C: Coeff<T>>(spline: &Spline<T, C>, _: usize) -> Result<Spline<T, C>> {
+        spline.derivative()
+    }
+
     type Parameter = T;
 
     fn range(lifted: &Spline<T, Weighted<T>>, accuracy: &T) -> Result<Enclosure<T>> {
@@ -235,6 +246,10 @@ impl<T: Scalar> Domain<T> for Rectangle {
         pair: impl Fn(&A, &B) -> C,
     ) -> Result<TensorSpline<T, C>> {
         left.paired_by(right, pair)
+    }
+
+    fn derivative<C: Coeff<T>>(spline: &TensorSpline<T, C>, direction: usize) -> Result<TensorSpline<T, C>> {
+        spline.derivative(if direction == 0 { Direction::U } else { Direction::V })
     }
 
     type Parameter = (T, T);

@@ -223,6 +223,18 @@ proptest! {
     }
 
     #[test]
+    fn derivatives_of_any_order_are_of_so_many_times_the_degree(
+        f in nurbs::<2>(ANY.of_degree(1, 4).smooth(3)),
+        order in 0_usize..4,
+    ) {
+        let derived = f.nth_derivative(order)?;
+        prop_assert_eq!(derived.space().degree(), (order + 1) * f.space().degree());
+        for x in probes(f.space()) {
+            prop_assert_eq!(&derived.at(&x)?, &f.derivatives_at(&x, order)?[order]);
+        }
+    }
+
+    #[test]
     fn a_torn_spline_has_no_derivative(f in nurbs::<2>(ANY.of_degree(0, 3))) {
         let torn = f.space().derivative_space().is_err();
         prop_assert_eq!(matches!(f.derivative(), Err(Error::Discontinuous { .. })), torn);

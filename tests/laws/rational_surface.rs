@@ -209,6 +209,20 @@ proptest! {
     }
 
     #[test]
+    fn partial_derivatives_of_any_order_are_of_so_many_times_the_degrees(
+        f in nurbs_surface::<2>(ANY.of_degree(1, 2).smooth(2)),
+        k in 0_usize..3,
+        l in 0_usize..3,
+    ) {
+        let derived = f.partial(k, l)?;
+        let degrees = [f.u(), f.v()].map(|space| (k + l + 1) * space.degree());
+        prop_assert_eq!([derived.u(), derived.v()].map(|space| space.degree()), degrees);
+        for (u, v) in pairs(f.u(), f.v()) {
+            prop_assert_eq!(&derived.at(&u, &v)?, &f.derivatives_at(&u, &v, k + l)?[k][l]);
+        }
+    }
+
+    #[test]
     fn mixed_derivatives_commute(f in nurbs_surface::<2>(ANY.of_degree(1, 1).smooth(1))) {
         let (uv, vu) = (f.derivative(U)?.derivative(V)?, f.derivative(V)?.derivative(U)?);
         prop_assert!(uv.same_function(&vu)?);

@@ -113,13 +113,7 @@ macro_rules! of_two_parameters {
 
 fn diff(a: &mut Arguments<'_>) -> Given<Value> {
     let order = if a.count() == 2 { a.count_of(1)? } else { 1 };
-    of_one_parameter!(a, s => {
-        let mut derived = s.clone();
-        for _ in 0..order {
-            derived = derived.derivative()?;
-        }
-        derived
-    })
+    of_one_parameter!(a, s => s.nth_derivative(order)?)
 }
 
 /// The inner product of values; of numbers their product, as of functions.

@@ -198,7 +198,7 @@ fn degrees_and_orders_are_limited() -> Result<()> {
             too_much(s.derivative_at(&0.5, &0.5, degree, 0))
                 && too_much(s.derivative_at(&0.5, &0.5, 0, degree))
         );
-        assert!(too_much(s.partial(degree, 0)) && too_much(s.partial(0, degree)));
+        assert_eq!([s.partial(degree, 0), s.partial(0, degree)], [s.partial(2, 0), s.partial(0, 2)]);
         assert!(too_much(s.moment(degree, 0)) && too_much(s.moment(0, degree)));
         assert!(BOTH.iter().all(|&direction| too_much(s.elevated(direction, degree))));
         assert!(too_much(plane.area_moment([degree, 0])) && too_much(plane.area_moment([0, degree])));
