@@ -1,6 +1,7 @@
 //! Splines from data: interpolation, least squares, conics.
 
 use crate::arguments::{ENDS, word};
+use crate::called::Called;
 use crate::error::{Failure, Result};
 use crate::numbers::{Array, Num};
 use crate::rational::Rational;
@@ -111,35 +112,28 @@ impl Spline {
 
     /// The quasi-interpolant of a Python function in `space`: `sample(x)` gives a number or a point.
     #[staticmethod]
-    fn quasi_interpolant(py: Python<'_>, space: &Space, sample: &Bound<'_, PyAny>) -> PyResult<Self> {
+    fn quasi_interpolant(space: &Space, sample: &Bound<'_, PyAny>) -> PyResult<Self> {
         // The first call tells the dimension, and whether the values are exact.
         let ask = |x: Num| -> PyResult<Coords> { Ok(sample.call1((x,))?.extract::<Array>()?.point()?) };
         let first = ask(Num(both!(&space.0, s => s.domain().0.clone().number())))?;
         let s = &space.0;
         let values = &first;
-        let _ = py;
-        (|| -> Result<std::result::Result<Self, PyErr>> {
+        let called = Called::default();
+        let found = (|| -> Result<Self> {
             together!(s, values);
             with_points!(&*values, first.len(), T, p => {
                 let mut point = p.into_iter().next().ok_or_else(|| Failure::new("Shape", "no value"))?;
-                let mut raised = None;
                 let found = <T as Spaced>::space(&s)?.quasi_interpolant(|x| {
-                    let value = ask(Num(x.clone().number())).and_then(|c| Ok(coefficient::<T, _>(&c).map_err(Failure::from)?));
-                    match value {
-                        Ok(value) => point = value,
-                        Err(error) => {
-                            raised = Some(error);
-                            return Err(Error::NotFinite { what: "sample", index: 0 });
-                        }
-                    }
+                    let value = called.call(|_| {
+                        Ok(coefficient::<T, _>(&ask(Num(x.clone().number()))?).map_err(Failure::from)?)
+                    });
+                    point = value.map_err(|_| Error::NotFinite { what: "sample", index: 0 })?;
                     Ok(point.clone())
                 });
-                match raised {
-                    Some(error) => Ok(Err(error)),
-                    None => Ok(Ok(Self(found?.into()))),
-                }
+                Ok(Self(found?.into()))
             })
-        })()?
+        })();
+        called.out(found)
     }
 }
 

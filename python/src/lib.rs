@@ -6,6 +6,7 @@
 
 // From the ground up: a module uses only what stands above it.
 mod error;
+mod called;
 #[macro_use]
 mod numbers;
 mod arguments;

@@ -24,7 +24,6 @@ impl<D: Domain<T>, T: Scalar, C: Coeff<T>> Rational<D, T, C> {
         let mut done = 0;
         for (direction, order) in orders.iter().enumerate().filter(|(_, order)| **order > 0) {
             let lifted = D::derivative(self.lifted(), direction)?;
-            let slope = D::map_coeffs(&lifted, |d| d.weight.clone())?;
             for _ in 0..*order {
                 done += 1;
                 let factor = -T::int(done);
@@ -40,8 +39,9 @@ impl<D: Domain<T>, T: Scalar, C: Coeff<T>> Rational<D, T, C> {
                         (numerator?, D::product(&weight, &weight, times)?)
                     }
                     Some((numerator, power)) => {
-                        let rise = D::product(&D::derivative(&numerator, direction)?, &weight, C::scaled)?;
-                        let fall = D::product(&numerator, &slope, C::scaled)?;
+                        let slope = D::derivative(&numerator, direction)?;
+                        let rise = D::product(&slope, &weight, C::scaled)?;
+                        let fall = D::product(&numerator, &lifted, |n, d| n.scaled(&d.weight))?;
                         let numerator = D::paired(&rise, &fall, |rise, fall| difference(rise.clone(), fall));
                         (numerator?, D::product(&power, &weight, times)?)
                     }

@@ -6,11 +6,11 @@ use crate::family::{AnySpline, AnySurface};
 use crate::number::{Field, Number, flat};
 use crate::over::Coords;
 use crate::shape;
+use crate::tools::aside::Aside;
 use crate::tools::shape::{Shape, all_points, coords, point};
 use crate::tools::warp::Refine;
 use crate::value::Value;
 use nalgebra::SVector;
-use std::cell::RefCell;
 use std::fmt;
 use symspline::{
     Axis, Bend, BendCentre, Bendable, ByShare, Coeff, Controlled, CrossRatio, Direction, Flat, NurbsSurface,
@@ -238,7 +238,7 @@ pub fn bent(shape: &Value, how: &AnyBend<'_>) -> Result<Value> {
             Centre::Axis(origin, axis) => Box::new(Axis::<T, N>::new(point(origin)?, point(axis)?)?),
             Centre::Offset(axis) => SVector::<T, N>::offset(axis)?,
         };
-        let failed = RefCell::new(None);
+        let aside = Aside::default();
         let about: Box<dyn Bendable<T, N> + '_> = match &how.about {
             About::Round(radius) => Box::new(Round(T::of(radius)?)),
             About::Sphere(centre, radius) => {
@@ -250,11 +250,7 @@ pub fn bent(shape: &Value, how: &AnyBend<'_>) -> Result<Value> {
             About::Shape(shape) => SVector::<T, N>::about(shape)?,
             About::Share(share) => Box::new(ByShare(|centre: &SVector<T, N>, point: &SVector<T, N>| {
                 let found = share(&coords::<T, _>(centre), &coords::<T, _>(point));
-                found.and_then(|s| s.map(|s| T::of(&s)).transpose()).map_err(|error| {
-                    // The library knows its own errors alone: this one waits outside.
-                    failed.replace(Some(error));
-                    symspline::Error::NoLength
-                })
+                aside.told(found.and_then(|s| s.map(|s| T::of(&s)).transpose()))
             })),
         };
         let (centre, about) = (AnyCentre(centre), BentAbout(about));
@@ -268,11 +264,7 @@ pub fn bent(shape: &Value, how: &AnyBend<'_>) -> Result<Value> {
         if !how.tails {
             bend = bend.without_tails();
         }
-        let found = bend.apply(shape);
-        match failed.take() {
-            Some(error) => Err(error),
-            None => Ok(found?.value()),
-        }
+        aside.out(bend.apply(shape)).map(Shape::value)
     }
     shape!(in space shape, "bend", T, s => { let _: Option<T>; of(s, how) })
 }

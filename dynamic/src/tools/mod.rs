@@ -14,6 +14,7 @@ pub mod coupled;
 pub mod handle;
 pub mod weights;
 pub mod weight_pairs;
+mod aside;
 pub mod warp;
 pub mod gravity;
 pub mod flat;

@@ -5,9 +5,9 @@ use crate::error::{Error, Result};
 use crate::number::{Field, Number};
 use crate::over::Coords;
 use crate::shape;
+use crate::tools::aside::Aside;
 use crate::tools::shape::{At, Shape, place, point};
 use crate::value::Value;
-use std::cell::RefCell;
 use symspline::{Assigned, Direction, Refinement, Region, Reshaped, Warp};
 
 /// How many knots an interval gets; see [`Refinement`].
@@ -120,15 +120,11 @@ pub fn warped(
             &Warp<T, S::Parameter, Movement<'_, S::Parameter, S::Point>>,
         ) -> Option<symspline::Result<Reshaped<S, T>>>,
     ) -> Result<Changed> {
-        let failed = RefCell::new(None);
+        let aside = Aside::default();
         let moved = |at: &Assigned<S::Parameter>| {
             let movement = displacement(&T::coords(at.share.numbers()), &T::coords(at.parameter.numbers()))
                 .and_then(|by| by.map(|by| point(&by)).transpose());
-            movement.map_err(|error| {
-                // The library knows its own errors alone: this one waits outside.
-                failed.replace(Some(error));
-                symspline::Error::NoLength
-            })
+            aside.told(movement)
         };
         let moved: Movement<'_, S::Parameter, S::Point> = &moved;
         let warp = Warp::new(region.of()?, moved);
@@ -149,10 +145,7 @@ pub fn warped(
                 }
             },
         };
-        match failed.into_inner() {
-            Some(error) => Err(error),
-            None => Ok(changed(found?)),
-        }
+        aside.out(found).map(changed)
     }
     macro_rules! floats {
         ($kind:ident) => {

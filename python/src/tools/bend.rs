@@ -1,10 +1,10 @@
 //! Bends.
 
 use crate::arguments::Along;
+use crate::called::Called;
 use crate::error::{Failure, Result};
 use crate::numbers::{Array, Num, Point};
 use crate::tools::form::{Finer, is_exact};
-use crate::tools::watch::Called;
 use crate::value::Thing;
 use pyo3::prelude::*;
 use symspline::shape::bend_ratio::bent_share;

@@ -12,7 +12,7 @@ use crate::value::Thing;
 use pyo3::prelude::*;
 use symspline::Spread;
 use symspline_dynamic::tools::elastic::{self, Anchors, AnyElastic, Pulls};
-use symspline_dynamic::{Coords, Meeting as _, both};
+use symspline_dynamic::{Coords, Field, Meeting as _, both};
 
 /// How forces are spread, by words.
 pub const SPREADS: [(&str, Spread); 2] = [("hat", Spread::Hat), ("point", Spread::Point)];
@@ -159,7 +159,6 @@ impl Pull {
     /// The control points that move, and how far each does under a unit force.
     #[getter]
     fn response(&self) -> (Vec<usize>, Array) {
-        use symspline_dynamic::{Field, both};
         both!(&self.0.response(), d => {
             let all: Vec<_> = d.rows().flatten().cloned().collect();
             (d.indices().to_vec(), Array::new(vec![all.len()], Field::coords(all)))

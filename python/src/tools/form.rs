@@ -1,12 +1,12 @@
 //! Warps and flat parts.
 
 use crate::arguments::word;
+use crate::called::Called;
 use crate::error::{Failure, Result};
 use crate::numbers::{Array, Num, Point};
 use crate::record::record;
 use crate::value::Thing;
 use pyo3::prelude::*;
-use std::cell::RefCell;
 use symspline::{Bump, Direction, Side};
 use symspline_dynamic::tools::flat::{self, AnyFlatten, AnyOnto, AnyPart};
 use symspline_dynamic::tools::warp::{self, AnyRegion, Assignment, Refine};
@@ -105,9 +105,9 @@ fn warped(
     exact &= assignment != Assignment::Chords;
     let shape = shape.0.among(exact).map_err(Failure::from)?;
     let region = AnyRegion { from: start.0, to: end.0, refine, thinned: thinned.map(|x| x.0) };
-    let raised: RefCell<Option<PyErr>> = RefCell::new(None);
+    let called = Called::default();
     let moved = |share: &Coords, parameter: &Coords| {
-        let call = || -> PyResult<Option<Coords>> {
+        called.call(|_| {
             let found = displacement.call1((Point(share.clone()), Point(parameter.clone())))?;
             if found.is_none() {
                 return Ok(None);
@@ -123,21 +123,10 @@ fn warped(
                     }
                 }
             }
-        };
-        call().map_err(|error| {
-            raised.replace(Some(error));
-            symspline_dynamic::Error::NoSuch {
-                operation: "displacement",
-                left: String::from("what a Python function refused"),
-                right: String::new(),
-            }
         })
     };
     let found = warp::warped(&shape, &region, &assignment, &moved);
-    if let Some(error) = raised.into_inner() {
-        return Err(error);
-    }
-    let found = found.map_err(Failure::from)?;
+    let found = called.out(found.map_err(Failure::from))?;
     let named = |knots: Vec<(Direction, Number)>| {
         knots
             .into_iter()

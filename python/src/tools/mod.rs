@@ -3,7 +3,6 @@
 // From the ground up: a module uses only what stands above it.
 mod values;
 mod words;
-mod watch;
 mod tune;
 mod tuner;
 mod nodes;

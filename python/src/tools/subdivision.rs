@@ -1,12 +1,12 @@
 //! Subdivision surfaces and polygons.
 
 use crate::arguments::word;
+use crate::called::Called;
 use crate::error::{Failure, Result};
 use crate::mesh::Mesh;
 use crate::numbers::{Array, Num, Point};
 use crate::record::record;
 use crate::spline::Spline;
-use crate::tools::watch::Called;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::ops::ControlFlow;

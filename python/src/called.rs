@@ -1,4 +1,4 @@
-//! Python functions that are called in the midst of long work, which released the interpreter's lock.
+//! Python functions that are called in the midst of the library's work, which may have released the interpreter's lock.
 
 use crate::error::Failure;
 use pyo3::prelude::*;
